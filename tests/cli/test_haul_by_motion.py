@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import unittest
 
 from result_case import ResultCase, rubicon
@@ -132,6 +133,19 @@ class HaulByMotion(ResultCase):
         # what it tips elsewhere than in that row is seen
         self.assertIn("does not stand at one of its places", self.faults_of(lambda result: result.task("haul_1")["haul"].update(
             tips=[[1, 0, 0, 15, 0, 1, 0, 4, 0, 0, 1, 0]])))
+
+    def test_an_empty_cart_leaves_the_tip(self):
+        # All is dug when the first has tipped, and the second can tip nowhere else.
+        text = plan(carts=2, bed="bed 0.7 m3;")
+        for text in (text, re.sub(r" park x -\d+, y 9;", "", text)):
+            _, tasks = self.run_plan(text)
+            self.assertEqual({task["result"] for task in tasks.values()}, {"done"}, tasks)
+        # Without a way back it goes to its park position, and without that nobody can make it.
+        text = re.sub(r"back at [^;]*;", "", plan(carts=2, bed="bed 0.7 m3;")).replace("out at trans(10, 4, 0)", "out at trans(10, 2, 0)")
+        _, tasks = self.run_plan(text)
+        self.assertEqual({task["result"] for task in tasks.values()}, {"done"}, tasks)
+        _, tasks = self.run_plan(re.sub(r" park x -\d+, y 9;", "", text), 1)
+        self.assertIn("never leaves the place where it is to tip; give cart_", tasks["haul_2"]["reason"])
 
     def test_nobody_drives_through_a_pit(self):
         _, _, second = plan(carts=2).rpartition("task haul_2")

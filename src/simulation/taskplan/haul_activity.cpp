@@ -14,6 +14,7 @@
 #include "src/motion/robot/kinematics.hpp"
 #include "src/simulation/site/ground_under.hpp"
 #include "src/simulation/taskplan/stage.hpp"
+#include "src/simulation/taskplan/tip_places.hpp"
 #include "src/simulation/taskplan/work_activity.hpp"
 
 namespace rubicon::taskplan {
@@ -40,8 +41,6 @@ bool is_at(const Stage& stage, int robot, const math::Pose& X_WL) {
   const math::Vec3 off = X_WL.translation() - stage.site.tool_pose(robot).translation();
   return off.norm() <= kStandsThere;
 }
-
-bool is_same_place(const math::Pose& a, const math::Pose& b) { return a.matrix() == b.matrix(); }
 
 std::vector<interpreter::GoalSpec> values_goal(const std::vector<std::pair<int, double>>& values) {
   std::vector<interpreter::GoalSpec> goals(1);
@@ -75,14 +74,6 @@ const interpreter::HaulSpec& HaulActivity::spec_of(const ActiveTask& task, const
 
 schedule::Ticks HaulActivity::worked(const ActiveTask& task, const Stage& stage) const {
   return stage.calendar(task.task).work_between(begun_, stage.now());
-}
-
-bool HaulActivity::all_are_over(const ActiveTask& task, const Stage& stage) const {
-  const std::vector<int>& digs = spec_of(task, stage).digs;
-  return std::all_of(digs.begin(), digs.end(), [&](int dig) {
-    const auto place = stage.haulage.places.find(dig);
-    return stage.is_over(dig) || (place != stage.haulage.places.end() && place->second.is_over);
-  });
 }
 
 Step HaulActivity::begin(ActiveTask& task, Stage& stage) {
@@ -132,9 +123,11 @@ Step HaulActivity::next(ActiveTask& task, Stage& stage) {
       if (lowered_.empty()) return Step::over;
       return begin_leg(task, stage, values_goal(lowered_), "dumping", "lowering what it raised");
     case Part::lowering:
-      stage.haulage.tips.erase(task.task);
+      note_where_it_tipped(task, stage);
+      back_ = 0;
+      return choose(task, stage);
+    case Part::clearing:
       stage.announce(kHaulage);
-      has_tipped_ = true;
       return choose(task, stage);
     case Part::choosing:
     case Part::queueing:
@@ -182,7 +175,7 @@ Step HaulActivity::choose(ActiveTask& task, Stage& stage) {
   const interpreter::TaskSpec& spec = stage.spec(task.task);
   const interpreter::HaulSpec& haul = *spec.haul;
   part_ = Part::choosing;
-  if (all_are_over(task, stage)) {
+  if (all_is_dug(stage, haul)) {
     const bool any_dug = std::any_of(haul.digs.begin(), haul.digs.end(), [&](int dig) {
       const auto place = stage.haulage.places.find(dig);
       return place != stage.haulage.places.end() && place->second.is_over;
@@ -191,6 +184,7 @@ Step HaulActivity::choose(ActiveTask& task, Stage& stage) {
       stage.reject(task.task, "none of the tasks that it hauls for digs", haul.digs);
       return Step::pending;
     }
+    if (const auto step = clear_the_tip(task, stage, true)) return *step;
     stage.site.set_partner(spec.robot, -1);
     stage.haulage.idle.erase(task.task);
     end_wait(task, stage,
@@ -219,6 +213,7 @@ Step HaulActivity::choose(ActiveTask& task, Stage& stage) {
     dig_ = dig;
   }
   if (dig_ < 0) {
+    if (const auto step = clear_the_tip(task, stage, false)) return *step;
     stage.haulage.idle[task.task] = stays_with_;
     return wait(task, stage);
   }
@@ -244,12 +239,26 @@ Step HaulActivity::choose(ActiveTask& task, Stage& stage) {
   part_ = Part::coming;
   std::vector<interpreter::GoalSpec> goals;
   // The way back is one from where it tipped.
-  const bool has_tipped = std::exchange(has_tipped_, false);
-  for (const math::Pose& X : haul.back) {
-    if (has_tipped) goals.emplace_back().X_WG = X;
-  }
+  const std::size_t from = std::exchange(back_, std::nullopt).value_or(haul.back.size());
+  for (std::size_t i = from; i < haul.back.size(); ++i) goals.emplace_back().X_WG = haul.back[i];
   goals.emplace_back().X_WG = X_WE;
   return begin_leg(task, stage, std::move(goals), "empty", "on its way to be loaded");
+}
+
+/// Where it has tipped and others have nowhere else to tip, it goes on to the first waypoint of its
+/// way back, whether or not it knows where to go from there.
+std::optional<Step> HaulActivity::clear_the_tip(ActiveTask& task, Stage& stage, bool for_good) {
+  const interpreter::HaulSpec& haul = spec_of(task, stage);
+  if (back_ != 0 || haul.back.empty()) return std::nullopt;
+  const int other = who_wants_the_tip_of(stage, task.task, for_good);
+  if (other < 0) return std::nullopt;
+  end_wait(task, stage, stage.robot_spec(stage.spec(other).robot).name);
+  stage.haulage.idle.erase(task.task);
+  part_ = Part::clearing;
+  back_ = 1;
+  std::vector<interpreter::GoalSpec> goals(1);
+  goals.front().X_WG = haul.back.front();
+  return begin_leg(task, stage, std::move(goals), "empty", "leaving the tip");
 }
 
 /// The place behind which it stands already: one that stood in the queue of this robot keeps its
@@ -373,20 +382,16 @@ Step HaulActivity::leave(ActiveTask& task, Stage& stage) {
   return begin_leg(task, stage, std::move(goals), "loaded", "on its way to tip");
 }
 
-/// Of its places to which nobody else is on his way the first where there is room. If others tip at
-/// those that have room it waits.
+/// Of its places that nobody else has the first where there is room. If others have those with room
+/// it waits.
 Step HaulActivity::go_to_tip(ActiveTask& task, Stage& stage) {
   const interpreter::HaulSpec& haul = spec_of(task, stage);
-  const auto& taken = stage.haulage.tips;
   std::optional<TipPlace> chosen;
   const math::Pose* place = nullptr;
-  std::string whom;
+  at_tips_.clear();
   for (const math::Pose& X : haul.tips) {
-    const auto other = std::find_if(taken.begin(), taken.end(), [&](const auto& each) {
-      return each.first != task.task && is_same_place(each.second, X);
-    });
-    if (other != taken.end()) {
-      if (whom.empty()) whom = stage.robot_spec(stage.spec(other->first).robot).name;
+    if (const int other = who_tips_at(stage, X, task.task); other >= 0) {
+      at_tips_.push_back(stage.spec(other).robot);
       continue;
     }
     chosen = place_to_tip(task, stage, X);
@@ -394,7 +399,7 @@ Step HaulActivity::go_to_tip(ActiveTask& task, Stage& stage) {
     place = &X;
     if (chosen) break;
   }
-  if (!chosen && !whom.empty()) {
+  if (!chosen && !at_tips_.empty()) {
     part_ = Part::parting;
     return wait(task, stage);
   }
@@ -408,7 +413,8 @@ Step HaulActivity::go_to_tip(ActiveTask& task, Stage& stage) {
   }
   const bool comes_from_dig = part_ != Part::going && part_ != Part::raising;
   tip_ = *chosen;
-  stage.haulage.tips[task.task] = *place;
+  stage.haulage.tips[task.task] = {*place, std::nullopt};
+  stage.announce(kHaulage);
   part_ = Part::going;
   std::vector<interpreter::GoalSpec> goals;
   // From where it chose the others of its waypoints lead to it, from another place none.
@@ -560,7 +566,7 @@ Step HaulActivity::stand_farther(ActiveTask& task, Stage& stage) {
 }
 
 void HaulActivity::note_row(const ActiveTask& task, Stage& stage, int cells) const {
-  const math::Pose& X_WL = stage.haulage.tips.at(task.task);
+  const math::Pose& X_WL = stage.haulage.tips.at(task.task).X_WL;
   auto& rows = stage.haulage.rows;
   const auto row = std::find_if(rows.begin(), rows.end(),
                                 [&](const auto& each) { return is_same_place(each.first, X_WL); });
@@ -569,6 +575,15 @@ void HaulActivity::note_row(const ActiveTask& task, Stage& stage, int cells) con
   } else {
     row->second = cells;
   }
+}
+
+/// Its place is another's as soon as it does not stand there any more.
+void HaulActivity::note_where_it_tipped(const ActiveTask& task, Stage& stage) const {
+  const int robot = stage.spec(task.task).robot;
+  const site::BodyCorners corners = site::corners_of(stage.robot_spec(robot).robot->model);
+  stage.haulage.tips.at(task.task).stood =
+      site::footprint_of(stage.site.robot(robot), corners, stage.site.configuration(robot));
+  stage.announce(kHaulage);
 }
 
 /// The load lies there from the moment it begins to tip.
@@ -629,12 +644,14 @@ WaitSet HaulActivity::waits(const ActiveTask& task, const Stage& stage) const {
   WaitSet waits;
   waits.any = true;
   if (!waits_) return waits;
-  WaitTarget target;
   if (part_ == Part::parting) {
-    for (const auto& other : stage.haulage.tips) target.by.push_back(other.first);
-    waits.targets.push_back(std::move(target));
+    for (std::size_t i = 0; i < at_tips_.size(); ++i) {
+      waits.targets.push_back(
+          stage.move_of(at_tips_[i], WaitTarget::Kind::activity, static_cast<int>(i)));
+    }
     return waits;
   }
+  WaitTarget target;
   for (const int dig : spec_of(task, stage).digs) {
     if (part_ != Part::choosing && dig != dig_) continue;
     if (!stage.is_over(dig)) target.by.push_back(dig);
@@ -653,7 +670,8 @@ std::string HaulActivity::text_of(const ActiveTask& task, const Stage& stage,
                                   const WaitTarget& target) const {
   if (inner_) return inner_->text_of(task, stage, target);
   if (part_ == Part::parting) {
-    return fmt::format("{} waits until another has tipped", stage.who_is(task.task));
+    return fmt::format("{} waits until {} has left the place where it is to tip",
+                       stage.who_is(task.task), stage.robot_spec(at_tips_[at(target.number)]).name);
   }
   const char* what = part_ == Part::loading ? "to be loaded by" : "for its turn at";
   const int dig = dig_ < 0 ? spec_of(task, stage).digs.front() : dig_;
@@ -662,18 +680,23 @@ std::string HaulActivity::text_of(const ActiveTask& task, const Stage& stage,
 
 std::string HaulActivity::standstill_reason(const ActiveTask& task, const Stage& stage) const {
   if (inner_) return inner_->standstill_reason(task, stage);
-  return part_ == Part::parting ? "nobody ever leaves the place where it is to tip"
-                                : "nobody ever loads it";
+  if (part_ != Part::parting) return "nobody ever loads it";
+  const interpreter::RobotSpec& machine = stage.robot_spec(at_tips_.front());
+  return fmt::format("{} never leaves the place where it is to tip{}", machine.name,
+                     machine.park ? "" : fmt::format("; give {} a park position", machine.name));
 }
 
 bool HaulActivity::wakes_at(const ActiveTask& task, const Stage& stage,
                             const SiteEvent& event) const {
   if (inner_) return inner_->wakes_at(task, stage, event);
-  return waits_ && event.haulage;
+  if (!waits_) return false;
+  if (event.haulage || part_ != Part::parting) return event.haulage;
+  return std::find(at_tips_.begin(), at_tips_.end(), event.robot) != at_tips_.end();
 }
 
 std::vector<int> HaulActivity::robots_in_the_way(const Stage& stage) const {
-  return inner_ ? inner_->robots_in_the_way(stage) : std::vector<int>();
+  if (inner_) return inner_->robots_in_the_way(stage);
+  return waits_ && part_ == Part::parting ? at_tips_ : std::vector<int>();
 }
 
 }  // namespace rubicon::taskplan

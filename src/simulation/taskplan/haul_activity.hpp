@@ -46,6 +46,7 @@ class HaulActivity : public Activity {
     raising,
     tipping,  ///< work
     lowering,
+    clearing,  ///< off the place where it has tipped, for another
     done
   };
 
@@ -71,6 +72,7 @@ class HaulActivity : public Activity {
   Step go_on(ActiveTask& task, Stage& stage, Step step);
   Step next(ActiveTask& task, Stage& stage);
   Step choose(ActiveTask& task, Stage& stage);
+  std::optional<Step> clear_the_tip(ActiveTask& task, Stage& stage, bool for_good);
   bool is_behind_another(const ActiveTask& task, const Stage& stage, int dig,
                          double distance) const;
   Step stand(ActiveTask& task, Stage& stage);
@@ -85,6 +87,7 @@ class HaulActivity : public Activity {
   void note_row(const ActiveTask& task, Stage& stage, int cells) const;
   void end_wait(ActiveTask& task, Stage& stage, const std::string& whom);
   Step tip(ActiveTask& task, Stage& stage);
+  void note_where_it_tipped(const ActiveTask& task, Stage& stage) const;
   void forget_truck(const ActiveTask& task, Stage& stage);
   Step wait(ActiveTask& task, Stage& stage);
   Step begin_leg(ActiveTask& task, Stage& stage, std::vector<interpreter::GoalSpec> goals,
@@ -92,7 +95,6 @@ class HaulActivity : public Activity {
 
   static const interpreter::HaulSpec& spec_of(const ActiveTask& task, const Stage& stage);
   schedule::Ticks worked(const ActiveTask& task, const Stage& stage) const;
-  bool all_are_over(const ActiveTask& task, const Stage& stage) const;
 
   Part part_ = Part::choosing;
   std::vector<interpreter::GoalSpec> rest_;  ///< where it goes after the leg that is under way
@@ -107,7 +109,9 @@ class HaulActivity : public Activity {
   int stays_with_ = -1;                     ///< the robot in whose queue it stands,
   std::optional<schedule::Ticks> arrived_;  ///< and since when
   TipPlace tip_;                            ///< where it tips
-  bool has_tipped_ = false;                 ///< it is where it tipped
+  std::vector<int> at_tips_;                ///< robots that have all places where it could tip
+  /// It comes from where it tipped: the waypoint of its way back that is next.
+  std::optional<std::size_t> back_;
   HauledLoad load_;
   std::vector<std::pair<int, double>> lowered_;  ///< what it raises to tip, as it drives
 };

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "src/earth/soil/terrain.hpp"
 #include "src/motion/math/pose.hpp"
 #include "src/simulation/schedule/ticks.hpp"
+#include "src/simulation/site/workspace.hpp"
 
 namespace rubicon::taskplan {
 
@@ -37,6 +39,13 @@ struct HeapLedger {
   std::int64_t placed = 0;                      ///< mm of cells that lie there
 };
 
+/// A place to tip that a task which hauls has.
+struct TipClaim {
+  math::Pose X_WL;  ///< of the plan
+  /// What its truck covered when it had tipped: the place is free when it has left that.
+  std::optional<site::PlanRegion> stood;
+};
+
 /// What tasks that dig and tasks that haul know of each other. A value: a run that goes back takes
 /// an earlier copy.
 struct Haulage {
@@ -44,7 +53,7 @@ struct Haulage {
   std::map<int, TruckLoad> trucks;     ///< by task that hauls
   std::map<int, int> idle;  ///< tasks that know no place to go to: the robot they stay with, or -1
   std::map<int, HeapLedger> heaps;  ///< by earth
-  std::map<int, math::Pose> tips;   ///< by task that hauls: the place at which it tips
+  std::map<int, TipClaim> tips;     ///< by task that hauls, also one that is over
   /// Of places: so many cells away from them, from where loads fall, there was room at last.
   std::vector<std::pair<math::Pose, int>> rows;
 };
