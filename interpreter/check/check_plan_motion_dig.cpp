@@ -36,8 +36,14 @@ hauling::CubicMillimetres whole_mm3(double cubic_metres) {
 class MotionDigCheck {
  public:
   MotionDigCheck(Subject& subject, const syntax::DigItem& item, const DugSoil& soil,
-                 const RobotSpec& robot, const std::function<int(int crew)>& units_of)
-      : subject_(subject), item_(item), soil_(soil), robot_(robot), units_of_(units_of) {}
+                 const RobotSpec& robot, const std::vector<int>& diggers,
+                 const std::function<int(int crew)>& units_of)
+      : subject_(subject),
+        item_(item),
+        soil_(soil),
+        robot_(robot),
+        diggers_(diggers),
+        units_of_(units_of) {}
 
   std::optional<MotionDigSpec> run() {
     const int errors = subject_.diagnostics.errors();
@@ -326,7 +332,8 @@ class MotionDigCheck {
       wrong(item_.place(), "dig does not say how much a truck takes",
             "bed 12 m3; or payload 20 t; density 1.8 t per m3;");
     }
-    std::set<int> busy = {dig_.trucks};
+    std::set<int> busy(diggers_.begin(), diggers_.end());
+    busy.insert(dig_.trucks);
     for (const auto& [crew, span] : servers_) {
       if (busy.insert(crew).second) continue;
       wrong(span,
@@ -363,6 +370,7 @@ class MotionDigCheck {
   const syntax::DigItem& item_;
   const DugSoil& soil_;
   const RobotSpec& robot_;
+  const std::vector<int>& diggers_;  ///< crews that work with it
   const std::function<int(int crew)>& units_of_;
   MotionDigSpec dig_;
   std::map<std::string, Span> given_;
@@ -375,8 +383,9 @@ class MotionDigCheck {
 
 std::optional<MotionDigSpec> resolve_motion_dig(Subject& subject, const syntax::DigItem& item,
                                                 const DugSoil& soil, const RobotSpec& robot,
+                                                const std::vector<int>& diggers,
                                                 const std::function<int(int crew)>& units_of) {
-  return MotionDigCheck(subject, item, soil, robot, units_of).run();
+  return MotionDigCheck(subject, item, soil, robot, diggers, units_of).run();
 }
 
 }  // namespace rubicon::interpreter::plan_check

@@ -227,6 +227,7 @@ std::optional<DigSpec> resolve_dig(Subject& subject, const syntax::DigItem& item
 /// How the robot of a task digs with its own body; nothing after P01, P02, P09, P55.
 std::optional<MotionDigSpec> resolve_motion_dig(Subject& subject, const syntax::DigItem& item,
                                                 const DugSoil& soil, const RobotSpec& robot,
+                                                const std::vector<int>& diggers,
                                                 const std::function<int(int crew)>& units_of);
 /// How the robot of a task hauls what others dig; nothing after P01, P02, P09, P62. What it takes
 /// of each of them is said by `finish_hauls`, when all tasks are checked.

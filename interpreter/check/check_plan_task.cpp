@@ -454,7 +454,7 @@ class TaskChecker {
     }
     const auto soil = take_soil(subject_, scope_, *dig_, item_);
     if (!soil) return;
-    task_.motion_dig = resolve_motion_dig(subject_, *dig_, *soil, *robot(),
+    task_.motion_dig = resolve_motion_dig(subject_, *dig_, *soil, *robot(), crews,
                                           [&](int crew) { return units_of(crew); });
     if (task_.motion_dig) task_.remove.push_back(soil->component);
   }

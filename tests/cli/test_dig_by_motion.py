@@ -276,6 +276,7 @@ class DigByMotion(ResultCase):
                 (plan(trucks="").replace("1.5)", "1.5) * rotz(3)"), "dump at is a place"),
                 (plan(trucks="load trucks takes 3 min; bed 2 m3; tip takes 1 min;"), "no takes"),
                 (plan(trucks="load trucks; bed 2 m3;"), "the trucks never tip"),
+                (plan().replace("by digger;", "by digger, dozer;"), "crew 'dozer' does something else in this task already"),
                 (plan(trucks="load trucks; bed 0.3 m3; tip takes 1 min;"), "less than a bucket"),
                 (plan(trucks="haul takes 1 min;"), "is a stage of trucks"),
                 (plan(clauses="limit 3 h;"), "limit is of a dig by durations"),
