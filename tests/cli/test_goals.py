@@ -172,6 +172,24 @@ class Goals(unittest.TestCase):
         self.assertEqual(made.returncode, 0, made.stdout)
         self.assertAlmostEqual(q["outer.x"], 1, 5)
 
+    def test_line_names_the_range_that_ends_it(self):
+        robot = """robot r { time_step 1;
+          body a1 { param theta step(5) speed(40 deg/s) range(-170, 170); frame rotz(theta); shape box(0, -0.04, -0.04, 0.8, 0.04, 0.04); }
+          body a2 on a1 { param theta step(5) speed(30 deg/s) range(-170, 60); frame trans(1, 0, 0) * rotz(theta); shape box(0, -0.04, 0.1, 0.8, 0.04, 0.2); }
+          body a3 on a2 { param theta step(5) speed(30 deg/s) range(-170, 170); frame trans(1, 0, 0) * rotz(theta); shape box(0, -0.04, 0.3, 0.2, 0.04, 0.4); }
+          tool a3; behaviour { chain { line }; } }"""
+        with tempfile.TemporaryDirectory() as folder:
+            # Near the range, and at it, the elbow would have to bend beyond 60 degrees.
+            for bend in (50, 60):
+                for name, text in (("r.robot", robot), ("p.plan", f"""plan p {{ robot "r.robot"; start a1.theta 0, a2.theta {bend}, a3.theta 0;
+                        goal a1.theta 60, a2.theta {bend}, a3.theta 0; budget 1000; }}""")):
+                    with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                        file.write(text)
+                subprocess.run([RUBICON, "run", "p.plan", "--trace", "trace.jsonl"], capture_output=True, timeout=60, cwd=folder)
+                with open(os.path.join(folder, "trace.jsonl"), encoding="utf-8") as file:
+                    tries = [json.loads(line) for line in file if line.startswith('{"type":"try"')]
+                self.assertEqual((tries[-1]["ok"], tries[-1]["reason"]), (False, "limit a2.theta"), bend)
+
     def test_line_leads_nowhere_where_what_it_steps_does_not_move(self):
         made, _ = self.run_plan(MAST % "line", 'plan p { robot "r.robot"; start x 0, y 0, theta 0, z 1; goal x 3; }')
         self.assertEqual(made.returncode, 1)

@@ -36,6 +36,9 @@ constexpr double kNothingNew = 1e-6;
 /// Configurations in which it is looked at what each parameter does.
 constexpr int kSamples = 3;
 
+/// m, degrees: so far beyond the range of a parameter it is looked whether a line goes on there.
+constexpr double kBeyondRange = 1000;
+
 /// Trials of shorter steps.
 constexpr int kMostTrials = 60;
 
@@ -285,11 +288,11 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
   const std::vector<int> even = steered(named);
   const std::vector<double> whole = change_between(q, q_end);
   std::optional<GoalChain> without_even;
+  GoalClauses clauses = clauses_;
   if (!even.empty()) {
-    GoalClauses clauses = clauses_;
     clauses.locked.insert(clauses.locked.end(), even.begin(), even.end());
     std::sort(clauses.locked.begin(), clauses.locked.end());
-    without_even.emplace(model_, std::move(clauses));
+    without_even.emplace(model_, clauses);
   }
   const GoalChain& chain = without_even ? *without_even : *chain_;
   // An arm that moves alone has a formula; where that leads nowhere the search says how near it is.
@@ -304,6 +307,28 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
     GoalState state = damped_least_squares(problem, problem.at(q_even), problem.variables().size(),
                                            GoalPart::pose);
     return std::pair(problem.solved(state), std::move(state.q));
+  };
+  // Why nothing leads to `part` of the way; `nearest`: the configuration that comes nearest to it.
+  const auto why_not = [&](double part, const std::vector<double>& nearest) -> Step {
+    if (const int limit = barring(q, nearest); limit >= 0) return {Step::Kind::limit, limit};
+    for (const int i : moved_) {
+      const Parameter& p = model_.parameters[at(i)];
+      const double slack = 1e-6 * p.quantum;
+      const bool at_range = nearest[at(i)] <= p.lower + slack || nearest[at(i)] >= p.upper - slack;
+      if (p.cyclic || !at_range) continue;
+      // Whether there is one beyond the range.
+      RobotModel wider = model_;
+      wider.parameters[at(i)].lower -= kBeyondRange;
+      wider.parameters[at(i)].upper += kBeyondRange;
+      const GoalChain chain_beyond(wider, clauses);
+      std::vector<double> q_even(q.begin(), q.end());
+      for (const int k : even) q_even[at(k)] += part * whole[at(k)];
+      const GoalProblem problem(chain_beyond, mounting_, q_even, way.at(part));
+      const GoalState state = damped_least_squares(problem, problem.at(q_even),
+                                                   problem.variables().size(), GoalPart::pose);
+      if (problem.solved(state)) return {Step::Kind::limit, i};
+    }
+    return {Step::Kind::none, -1};
   };
   const double most_orientation = math::radians(deviation_.orientation_deg);
   // The deviation of a step as a share of what is allowed, as far as it is looked at: no further
@@ -350,10 +375,7 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
   // How the parameters run along it tells how long a step may be.
   const double probe = way.part(kProbe);
   const auto [leads_on, q_probe] = solve(probe);
-  if (!leads_on) {
-    const int limit = barring(q, q_probe);
-    return {limit < 0 ? Step::Kind::none : Step::Kind::limit, limit};
-  }
+  if (!leads_on) return why_not(probe, q_probe);
   const std::vector<double> first = change_between(q, q_probe);
   double longest = 0;  // of the changes, in steps
   for (const int i : moved_) {
