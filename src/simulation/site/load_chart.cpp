@@ -14,6 +14,13 @@ namespace {
 /// be allowed to turn.
 constexpr double kRadiusRounding = 1e-9;
 
+/// m: how exactly the radius of a load is known. Poses and joint values are rounded: the same place
+/// turned about the machine has a radius that is some 1e-15 of it more or less.
+constexpr double kRadiusTolerance = 1e-6;
+
+/// kg: rounding of masses, which are products of volumes, densities and units.
+constexpr double kMassTolerance = 1e-6;
+
 /// m: what lies between two looked at radii so near to each other is as they are.
 constexpr double kRadiusResolution = 1e-3;
 
@@ -31,7 +38,7 @@ class LoadedStep {
     const Place start = place(0);
     const Place end = place(1);
     radius_at_start_ = start.norm();
-    capacity_at_start_ = capacity_at(chart_, radius_at_start_);
+    capacity_at_start_ = capacity_near(chart_, radius_at_start_);
     return allows(end.norm()) && allows_between(0, start, 1, end, 0);
   }
 
@@ -42,14 +49,15 @@ class LoadedStep {
   Place place(double s) const { return (X_MW_ * X_WT_.pose(s).translation()).head<2>(); }
 
   bool allows(double radius) const {
-    return std::fabs(radius - radius_at_start_) <= kRadiusRounding || allows_all(radius, radius);
+    return std::fabs(radius - radius_at_start_) <= kRadiusRounding ||
+           may_hang(chart_, mass_, radius) || allows_all(radius, radius);
   }
 
   /// All radii of an interval.
   bool allows_all(double inner, double outer) const {
     const double capacity = least_capacity(chart_, inner, outer);
-    if (mass_ <= capacity) return true;
-    if (capacity_at_start_ >= mass_) return false;
+    if (mass_ <= capacity + kMassTolerance) return true;
+    if (capacity_at_start_ + kMassTolerance >= mass_) return false;
     return capacity > capacity_at_start_ ||
            (capacity == capacity_at_start_ && outer < radius_at_start_);
   }
@@ -110,6 +118,20 @@ double least_capacity(const std::vector<robot::CapacityPoint>& chart, double inn
 
 double most_capacity(const std::vector<robot::CapacityPoint>& chart, double inner, double outer) {
   return extreme_capacity(chart, inner, outer, [](double a, double b) { return std::max(a, b); });
+}
+
+double capacity_near(const std::vector<robot::CapacityPoint>& chart, double radius) {
+  return most_capacity(chart, radius - kRadiusTolerance, radius + kRadiusTolerance);
+}
+
+bool may_hang(const std::vector<robot::CapacityPoint>& chart, double mass, double radius) {
+  return may_hang_between(chart, mass, radius, radius);
+}
+
+bool may_hang_between(const std::vector<robot::CapacityPoint>& chart, double mass, double inner,
+                      double outer) {
+  const double most = most_capacity(chart, inner - kRadiusTolerance, outer + kRadiusTolerance);
+  return mass <= most + kMassTolerance;
 }
 
 bool allows_step(const std::vector<robot::CapacityPoint>& chart, double mass,

@@ -16,6 +16,18 @@ double capacity_at(const std::vector<robot::CapacityPoint>& chart, double radius
 double least_capacity(const std::vector<robot::CapacityPoint>& chart, double inner, double outer);
 double most_capacity(const std::vector<robot::CapacityPoint>& chart, double inner, double outer);
 
+/// The most that it may hold at a radius as far as that is known: of capacity_at over all radii
+/// that are the same to a micrometre. What a chart allows at its last radius does not hang on
+/// rounding.
+double capacity_near(const std::vector<robot::CapacityPoint>& chart, double radius);
+
+/// Whether a mass (kg) may hang at a radius (m): by capacity_near, to a milligram.
+bool may_hang(const std::vector<robot::CapacityPoint>& chart, double mass, double radius);
+
+/// The same at the best radius from `inner` to `outer`.
+bool may_hang_between(const std::vector<robot::CapacityPoint>& chart, double mass, double inner,
+                      double outer);
+
 /// Radius of a load chart: horizontal distance, in the mounting frame {M}, from its z axis to the
 /// tool (m).
 double chart_radius(const math::Pose& X_WM, const math::Vec3& p_WT);

@@ -157,8 +157,8 @@ bool RobotView::is_allowed_by_chart(std::span<const double> q_from,
 bool RobotView::is_within_chart(std::span<const double> q) const {
   const SiteRobot& machine = robot();
   const math::Vec3 p_WT = robot::tool_pose(*machine.model, machine.mounting, q).translation();
-  return site_.load(index_)->mass <=
-         capacity_at(machine.model->capacity, chart_radius(machine.mounting.X_WM, p_WT));
+  return may_hang(machine.model->capacity, site_.load(index_)->mass,
+                  chart_radius(machine.mounting.X_WM, p_WT));
 }
 
 std::optional<interpreter::HitPair> RobotView::overload(const interpreter::MotionStep& step,

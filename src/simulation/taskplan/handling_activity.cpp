@@ -180,12 +180,13 @@ Step HandlingActivity::weigh(ActiveTask& task, Stage& stage) {
   const interpreter::RobotSpec& machine = stage.robot_spec(robot);
   const double mass = stage.plan.components[static_cast<std::size_t>(component)].mass;
   const double radius = site::chart_radius(machine.X_WM, stage.site.tool_pose(robot).translation());
-  const double allowed = site::capacity_at(machine.robot->model.capacity, radius);
-  if (mass <= allowed) return Step::over;
+  const std::vector<robot::CapacityPoint>& chart = machine.robot->model.capacity;
+  if (site::may_hang(chart, mass, radius)) return Step::over;
   stage.reject(
       task.task,
       fmt::format("too heavy: {} has {:g} kg, the load chart of {} allows {:g} kg at {:g} m",
-                  stage.site.component_name(component), mass, machine.name, allowed, radius));
+                  stage.site.component_name(component), mass, machine.name,
+                  site::capacity_near(chart, radius), radius));
   return Step::pending;
 }
 

@@ -35,16 +35,16 @@ std::optional<std::string> too_heavy(const Stage& stage, int task) {
   const double up = radius_at(stage.site.X_WO(*spec.move));
   const double down = radius_at(spec.X_WO_goal);
   const double beside = leeway(spec, model);
-  const double most_down =
-      site::most_capacity(model.capacity, std::max(down - beside, 0.0), down + beside);
-  if (component.mass <= site::capacity_at(model.capacity, up) && component.mass <= most_down) {
+  if (site::may_hang(model.capacity, component.mass, up) &&
+      site::may_hang_between(model.capacity, component.mass, std::max(down - beside, 0.0),
+                             down + beside)) {
     return std::nullopt;
   }
   return fmt::format(
       "too heavy: {} has {:g} kg, the load chart of {} allows {:g} kg at {:g} m, where it is taken "
       "up, and {:g} kg at {:g} m, where it is set down",
-      component.name, component.mass, machine.name, site::capacity_at(model.capacity, up), up,
-      site::capacity_at(model.capacity, down), down);
+      component.name, component.mass, machine.name, site::capacity_near(model.capacity, up), up,
+      site::capacity_near(model.capacity, down), down);
 }
 
 }  // namespace rubicon::taskplan

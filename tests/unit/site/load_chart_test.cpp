@@ -54,6 +54,20 @@ TEST(LoadChart, ALoadAtItsLimitTurns) {
   EXPECT_FALSE(allows(chart, capacity_at(chart, radius), straight(radius, radius + 0.001)));
 }
 
+TEST(LoadChart, ALoadAtItsLimitHangsAndMovesHoweverItsRadiusIsRounded) {
+  const Chart chart = {{5, 1000}, {10, 5000}, {30, 3000}};
+  const double beyond = std::nextafter(30.0, 31.0);
+  EXPECT_EQ(capacity_near(chart, beyond), 3000);
+  EXPECT_TRUE(may_hang(chart, 3000, beyond));
+  EXPECT_TRUE(may_hang(chart, std::nextafter(3000.0, 3001.0), 30));
+  EXPECT_FALSE(may_hang(chart, 3000.001, 30));
+  EXPECT_FALSE(may_hang(chart, 3000, 30.00001));
+  EXPECT_TRUE(allows(chart, 3000, straight(20, beyond)));
+  EXPECT_TRUE(allows(chart, 3000, straight(beyond, 20)));
+  EXPECT_FALSE(allows(chart, 3000, straight(beyond, 7)));
+  EXPECT_FALSE(allows(chart, 3000, straight(20, 30.00001)));
+}
+
 TEST(LoadChart, MayAllowLessNearerIn) {
   const Chart chart = {{5, 1000}, {10, 5000}, {30, 3000}};
   EXPECT_TRUE(allows(chart, 2500, straight(12, 7)));

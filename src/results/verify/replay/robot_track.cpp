@@ -32,8 +32,8 @@ constexpr double kSureSlack = 1e-9;
 constexpr double kMassSlack = 1e-6;
 /// m: how far a tool that works over a floor may be beside its strip.
 constexpr double kMostAside = 0.02;
-/// m: rounding of the radius of a load that keeps its distance.
-constexpr double kRadiusSlack = 1e-7;
+/// m: what the radius of a load is known to, and a tenth for what is rounded here.
+constexpr double kRadiusSlack = 1.1e-6;
 /// m: how exactly the radius is judged in the middle of a step.
 constexpr double kRadiusSlackOnWay = 2e-3;
 /// m: rounding of how far the tool is from a waypoint.
@@ -438,24 +438,27 @@ class TrackBuilder {
     return 0;
   }
 
+  bool is_within(double r, double slack) const {
+    double most = std::max(allowed(std::max(r - slack, 0.0)), allowed(r + slack));
+    for (const auto& [radius, mass_there] : robot_.capacity) {
+      if (std::fabs(radius - r) <= slack) most = std::max(most, mass_there);
+    }
+    return mass() <= most + kMassSlack;
+  }
+
   void check_weight() {
     if (robot_.capacity.empty()) return;
     if (!(mass() > 0)) {
       fault(FaultKind::load, "what it lifts has no mass, and the robot has a load chart");
     }
     const double r = radius(q_);
-    if (mass() <= std::max(allowed(r - kRadiusSlack), allowed(r)) + kMassSlack) return;
+    if (is_within(r, kRadiusSlack)) return;
     fault(FaultKind::load, fmt::format("{:g} kg are too heavy at {:g} m", mass(), r));
   }
 
   /// At moments of a step, to the resolution with which the run judges it.
   void check_load_chart(const std::vector<double>& after) {
     if (robot_.capacity.empty() || !(mass() > 0) || is_surely_within(after)) return;
-    const auto is_within = [&](double r, double slack) {
-      const double most =
-          std::max({allowed(std::max(r - slack, 0.0)), allowed(r), allowed(r + slack)});
-      return mass() <= most + kMassSlack;
-    };
     const double before = radius(q_);
     const bool is_too_heavy_before = !is_within(before, kRadiusSlack);
     constexpr int kMoments = 64;
