@@ -497,9 +497,11 @@ class Test(Case):
         # With a tolerance the same is near enough; what is farther off says what is allowed.
         plan(tasks.replace("takes 5 min", "takes 6 min", 1))
         document["tolerance"] = {"time": "1 min", "cost": "25 %"}
+        del document["events"]
+        self.write("expected.json", json.dumps(document))
+        self.assertEqual(test().returncode, 0, test().stdout)  # the counts of steps are there, and agree
         for task in document["tasks"]:
             del task["tried"], task["accepted"]
-        del document["events"]
         self.write("expected.json", json.dumps(document))
         self.assertEqual(test().returncode, 0, test().stdout)
         document["tolerance"] = {"time": "1 min", "cost": "25 %", "tasks": {"t0": {"time": 30}}}
@@ -521,6 +523,12 @@ class Test(Case):
             result = test()
             self.assertEqual(result.returncode, 2, wrong)
             self.assertIn(words, result.stdout + result.stderr)
+        for more, words in (({"tolerance": {"tasks": {"t7": {"time": 5}}}}, "there is no task 't7', which the tolerance names; did you mean t0?"),
+                            ({"proces_time": 5}, "there is no member 'proces_time'; did you mean process_time?")):
+            self.write("expected.json", json.dumps({**document, **more}))
+            result = test()
+            self.assertEqual(result.returncode, 2, more)
+            self.assertIn(words, result.stdout)
 
     def test_filter_and_empty_folders(self):
         result = rubicon("test", self.folder, "--filter", "no such case")

@@ -2,15 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/program/program.hpp"
+#include "interpreter/syntax/name_suggestion.hpp"
 #include "src/results/golden/difference.hpp"
 #include "src/results/golden/observation.hpp"
+#include "src/results/golden/task_difference.hpp"
 #include "src/results/golden/tolerance.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
 #include "src/simulation/taskplan/preflight_errors.hpp"
@@ -71,8 +77,7 @@ void add_motion_end(ordered_json& document, const ObservedEnd& end) {
   document["vars"] = end.variables;
 }
 
-/// `with_counts`: how many steps each task tried and made.
-void add_schedule(ordered_json& document, const taskplan::Schedule& schedule, bool with_counts) {
+void add_schedule(ordered_json& document, const taskplan::Schedule& schedule) {
   document["process_time"] = trace::seconds(schedule.process_time);
   if (schedule.costed) document["cost"] = schedule.cost;
   if (schedule.has_kinds) {
@@ -87,10 +92,8 @@ void add_schedule(ordered_json& document, const taskplan::Schedule& schedule, bo
                         {"start", trace::seconds(task.start)},
                         {"duration", trace::seconds(task.duration)}};
     if (schedule.costed) row["cost"] = task.cost;
-    if (with_counts) {
-      row["tried"] = task.tried;
-      row["accepted"] = task.accepted;
-    }
+    row["tried"] = task.tried;
+    row["accepted"] = task.accepted;
     row["result"] = name_of(task.result);
     row["reason"] = without_folders(task.reason);
     document["tasks"].push_back(std::move(row));
@@ -115,6 +118,50 @@ std::string summary(const ordered_json& document, const ObservedEnd& end) {
     separator = ", ";
   }
   return separator[0] == ' ' ? text + " none" : text;
+}
+
+constexpr std::array kMembers = {"name",         "note",     "status",       "period",
+                                 "tries",        "accepted", "rejected",     "end",
+                                 "vars",         "warnings", "process_time", "cost",
+                                 "cost_by_kind", "tasks",    "tolerance",    "events"};
+
+/// What is misspelt would be left out, and so not compared. Throws std::invalid_argument with a
+/// sentence for people.
+void check_members(const ordered_json& golden) {
+  interpreter::NameSuggestions suggestions;
+  for (const auto& [name, value] : golden.items()) {
+    if (std::find(kMembers.begin(), kMembers.end(), name) != kMembers.end()) continue;
+    throw std::invalid_argument(
+        fmt::format("there is no member '{}'{}", name, suggestions.ending(name, [&] {
+          return std::vector<std::string>(kMembers.begin(), kMembers.end());
+        })));
+  }
+}
+
+/// Tasks have their own tolerance by their names: those that are there or expected.
+void check_tasks(const Tolerance& tolerance, const ordered_json& expected,
+                 const ordered_json& found) {
+  std::vector<std::string> names;
+  for (const ordered_json* document : {&found, &expected}) {
+    const auto tasks = document->find("tasks");
+    if (tasks == document->end() || !tasks->is_array()) continue;
+    for (const ordered_json& task : *tasks) names.push_back(task_name(task));
+  }
+  interpreter::NameSuggestions suggestions;
+  for (const std::string& name : tolerance.tasks()) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw std::invalid_argument(fmt::format("there is no task '{}', which the tolerance names{}",
+                                            name, suggestions.ending(name, [&] { return names; })));
+  }
+}
+
+/// Without what differs where times do: how many steps each task tried and made.
+ordered_json without_counts(ordered_json document) {
+  for (ordered_json& task : document.at("tasks")) {
+    task.erase("tried");
+    task.erase("accepted");
+  }
+  return document;
 }
 
 /// One event a line, so that version control shows what changed.
@@ -165,22 +212,12 @@ CaseResult run_case(const std::string& folder, const std::string& expected,
     old = ordered_json::parse(expected, nullptr, false);
     if (!old.is_object()) {
       result.wrong_input = true;
-      result.report = "expected.json is not a JSON object; write it anew with --update\n";
+      result.report =
+          "expected.json is not a JSON object; delete it, and write it anew with --update\n";
       return result;
     }
   }
-  // Where times may differ the steps do.
   const bool tolerant = old.contains("tolerance");
-  try {
-    const Tolerance readable(old);
-    if (tolerant && plan->short_form) {
-      throw std::invalid_argument("a tolerance is for plans with tasks: leave it out");
-    }
-  } catch (const std::invalid_argument& error) {
-    result.wrong_input = true;
-    result.report = fmt::format("expected.json: {}\n", error.what());
-    return result;
-  }
   // What people wrote about the case stays; what it says of the run is made anew.
   ordered_json document = ordered_json::object();
   document["name"] = folder.substr(folder.rfind('/') + 1);
@@ -192,9 +229,20 @@ CaseResult run_case(const std::string& folder, const std::string& expected,
     head += "# " + summary(document, observation.ends().front()) + "\n";
   } else {
     if (tolerant) document["tolerance"] = old.at("tolerance");
-    add_schedule(document, schedule, !tolerant);
+    add_schedule(document, schedule);
     head += fmt::format("# {} tasks, process time {} s\n", schedule.tasks.size(),
                         brief(trace::seconds(schedule.process_time)));
+  }
+  try {
+    check_members(old);
+    if (tolerant && plan->short_form) {
+      throw std::invalid_argument("a tolerance is for plans with tasks: leave it out");
+    }
+    check_tasks(Tolerance(old), old, document);
+  } catch (const std::invalid_argument& error) {
+    result.wrong_input = true;
+    result.report = fmt::format("expected.json: {}\n", error.what());
+    return result;
   }
   document["warnings"] = ordered_json::array();
   for (const Diagnostic& diagnostic : diagnostics.sorted()) {
@@ -202,7 +250,7 @@ CaseResult run_case(const std::string& folder, const std::string& expected,
     head += "# check: " + report::print_brief(diagnostic, sources) + "\n";
   }
   if (!tolerant || old.contains("events")) document["events"] = observation.events();
-  result.expected_json = pretty(document);
+  result.expected_json = pretty(tolerant ? without_counts(document) : document);
   result.expected_trace = head + observation.text();
   result.report = expected.empty() ? "expected.json is missing or empty; write it with --update\n"
                                    : difference(old, document);

@@ -18,12 +18,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A golden is written by people too: what a task is called may be missing.
-std::string name_of(const ordered_json& task) {
-  const auto name = task.find("task");
-  return name != task.end() && name->is_string() ? name->get<std::string>() : std::string();
-}
-
 bool is_cost(std::string_view what) { return what.starts_with("cost"); }
 bool is_time(std::string_view what) {
   return what == "start" || what == "duration" || what == "process_time";
@@ -61,7 +55,7 @@ std::string value_difference(const std::string& what, const std::string& task,
 
 std::string line_of(const ordered_json& expected, const ordered_json& found,
                     const Tolerance& tolerance) {
-  const std::string name = name_of(expected);
+  const std::string name = task_name(expected);
   std::vector<std::string> parts;
   for (const auto& [what, value] : expected.items()) {
     const auto other = found.find(what);
@@ -81,36 +75,41 @@ std::string told(const ordered_json& task) {
 
 }  // namespace
 
+std::string task_name(const ordered_json& task) {
+  const auto name = task.find("task");
+  return name != task.end() && name->is_string() ? name->get<std::string>() : std::string();
+}
+
 std::string task_difference(const ordered_json& expected, const ordered_json& found,
                             const Tolerance& tolerance) {
   // Several may have one name: a machine is asked out of the way more than once.
   std::map<std::string, std::vector<const ordered_json*>> left;
-  for (const ordered_json& task : found) left[name_of(task)].push_back(&task);
+  for (const ordered_json& task : found) left[task_name(task)].push_back(&task);
   std::string text;
   std::vector<std::string> order;
   for (const ordered_json& task : expected) {
-    std::vector<const ordered_json*>& same = left[name_of(task)];
+    std::vector<const ordered_json*>& same = left[task_name(task)];
     if (same.empty()) {
-      text += fmt::format("{}: expected ({}), not found\n", name_of(task), told(task));
+      text += fmt::format("{}: expected ({}), not found\n", task_name(task), told(task));
       continue;
     }
     text += line_of(task, *same.front(), tolerance);
-    order.push_back(name_of(task));
+    order.push_back(task_name(task));
     same.erase(same.begin());
   }
   for (const ordered_json& task : found) {
-    std::vector<const ordered_json*>& same = left[name_of(task)];
+    std::vector<const ordered_json*>& same = left[task_name(task)];
     if (same.empty() || same.front() != &task) continue;
-    text += fmt::format("{}: found ({}), not expected\n", name_of(task), told(task));
+    text += fmt::format("{}: found ({}), not expected\n", task_name(task), told(task));
     same.erase(same.begin());
   }
   // Starts within a tolerance may change places.
   const Allowance time = tolerance.of("time", "");
   if (!text.empty() || time.absolute > 0 || time.share > 0) return text;
   for (std::size_t i = 0; i < order.size() && i < found.size(); ++i) {
-    if (order[i] == name_of(found[i])) continue;
+    if (order[i] == task_name(found[i])) continue;
     return fmt::format("{}: expected at place {}, found {} there\n", order[i], i + 1,
-                       name_of(found[i]));
+                       task_name(found[i]));
   }
   return text;
 }

@@ -7,6 +7,9 @@
 
 namespace rubicon::golden {
 
+/// A golden is written by people too: what a task is called may be missing ("").
+std::string task_name(const nlohmann::ordered_json& task);
+
 /// Where what a golden says of tasks differs from what is found: a line for each task, with what
 /// was expected and what was found; empty if there is no difference.
 std::string task_difference(const nlohmann::ordered_json& expected,

@@ -94,4 +94,12 @@ Allowance Tolerance::of(std::string_view what, const std::string& task) const {
   return members_.contains(name) ? read_allowance(what, members_.at(name)) : Allowance{};
 }
 
+std::vector<std::string> Tolerance::tasks() const {
+  std::vector<std::string> names;
+  const auto tasks = members_.find("tasks");
+  if (tasks == members_.end()) return names;
+  for (const auto& [name, own] : tasks->items()) names.push_back(name);
+  return names;
+}
+
 }  // namespace rubicon::golden

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rubicon::golden {
 
@@ -23,6 +24,9 @@ class Tolerance {
 
   /// `what` is "time" or "cost"; `task` "" for the plan.
   Allowance of(std::string_view what, const std::string& task) const;
+
+  /// The names of tasks that have their own.
+  std::vector<std::string> tasks() const;
 
  private:
   nlohmann::ordered_json members_ = nlohmann::ordered_json::object();
