@@ -171,6 +171,27 @@ class Support(unittest.TestCase):
         self.assertIn("plate does not stand", verdict.stdout)
         return verdict.returncode
 
+    def test_what_floats_stands_once_a_task_has_fixed_it(self):
+        """And what rests on it; a run that goes back to before knows it no more."""
+        site = (box("wall", 20, height=4) + box("bracket", 21, z=3, height=1, more="fixed to wall after weld;")
+                + box("lamp", 21, z=4, height=0.5) + box("load", 0)
+                + "  crew welders;\n  task weld { by welders; takes 1 h; }\n")
+        strike = "  task strike { by welders; remove wall; takes 5 min; %s }\n"
+        rows = self.run_plan(site, strike % "after weld;", exit_code=1, warns="bracket does not stand")
+        self.assertEqual(rows["strike"]["reason"], "wall cannot be taken away: without it bracket does not stand")
+        self.run_plan(site, strike % "priority 1;", warns="lamp does not stand")
+        put = "  task shift { by crane; move lamp to trans(10, 0, 0); %s }\n" + move("put", "load", 21, 4, "after shift;")
+        rows = self.run_plan(site, put % "after weld;", warns="bracket does not stand")
+        self.assertEqual(rows["put"]["result"], "done")
+        rows = self.run_plan(site, put % "", exit_code=1, warns="bracket does not stand")
+        self.assertIn("lamp does not stand where it is taken up", rows["shift"]["reason"])
+        # A task that began before the weld is done and is rejected after it: the run goes back, and the bracket floats.
+        rows = self.run_plan(site.replace(box("lamp", 21, z=4, height=0.5), box("other", -5)),
+                             move("hang", "other", -10, 3, "hook 2 h; priority 1;"), move("put", "load", 21, 4), exit_code=1,
+                             warns="bracket does not stand")
+        self.assertIn("other does not stand", rows["hang"]["reason"])
+        self.assertEqual(rows["put"]["reason"], "load does not stand: it rests on bracket, which does not stand")
+
     def test_the_beginning(self):
         lid = box("lid", 10, z=2, height=1)
         rows = self.run_plan(lid, box("b", 0), move("on_lid", "b", 10, 3), move("take", "lid", 20, 0), exit_code=1,

@@ -83,6 +83,55 @@ void Support::follow() {
       ranks_[at(component)] = ++last_rank_;
     }
   }
+  look_again();
+}
+
+/// What did not stand at the beginning may stand once a task has fixed it, and what rests on it
+/// with it. A run may go back to before that.
+void Support::look_again() {
+  if (!is_done_ || awaited_.empty()) return;
+  std::vector<bool> done;
+  for (const int task : awaited_) done.push_back(is_done_(task));
+  if (done == history_.back().done) return;
+  const auto is_later = [&](const Floating& entry) {
+    for (std::size_t i = 0; i < done.size(); ++i) {
+      if (entry.done[i] && !done[i]) return true;
+    }
+    return false;
+  };
+  while (is_later(history_.back())) history_.pop_back();
+  floating_ = history_.back().floating;
+  if (done == history_.back().done) return;
+  std::set<int> open;
+  for (int i = 0; i < components(); ++i) {
+    const std::vector<interpreter::Fixing>& fixings = plan_.components[at(i)].fixed_to;
+    const bool is_fixed_now = std::any_of(fixings.begin(), fixings.end(), [&](const auto& each) {
+      return each.after >= 0 && is_done_(each.after);
+    });
+    if (is_fixed_now && floats(i)) open.insert(i);
+  }
+  while (!open.empty()) {
+    const int each = *open.begin();
+    open.erase(open.begin());
+    if (!placed_[at(each)].stands || !stands_at_last(each)) continue;
+    for (const int other : beside(each)) {
+      if (floats(other)) open.insert(other);
+    }
+  }
+  history_.push_back({std::move(done), floating_});
+}
+
+/// Whether what floated stands now: by its contact and what holds it, and by the balance of forces.
+bool Support::stands_at_last(int component) {
+  if (!stands_by(component, {})) return false;
+  floating_[at(component)] = false;
+  if (plan_.support.equilibrium && Equilibrium(*this).collapse_of({component})) {
+    floating_[at(component)] = true;
+    return false;
+  }
+  Rank& rank = ranks_[at(component)];
+  if (!stands_by(component, {.up_to = rank - 1})) rank = ++last_rank_;
+  return true;
 }
 
 std::vector<std::pair<int, int>> Support::cells_of(const Placed& placed, double grown) const {
@@ -452,6 +501,15 @@ std::vector<std::pair<int, std::string>> Support::find_floating() {
   sort_from_below(unranked);
   for (const int each : unranked) ranks_[at(each)] = ++last_rank_;
   if (plan_.support.equilibrium) Equilibrium(*this).find_collapsing(found);
+  awaited_.clear();
+  for (const auto& [each, reason] : found) {
+    for (const interpreter::Fixing& fixing : plan_.components[at(each)].fixed_to) {
+      if (fixing.after >= 0) awaited_.push_back(fixing.after);
+    }
+  }
+  std::sort(awaited_.begin(), awaited_.end());
+  awaited_.erase(std::unique(awaited_.begin(), awaited_.end()), awaited_.end());
+  history_ = {{std::vector<bool>(awaited_.size(), false), floating_}};
   return found;
 }
 

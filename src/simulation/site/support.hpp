@@ -90,6 +90,8 @@ class Support {
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
   void follow();
+  void look_again();
+  bool stands_at_last(int component);
   void place(Thing thing, const math::Pose& X_WO);
   void take_away(Thing thing);
   std::vector<std::pair<int, int>> cells_of(const Placed& placed, double grown) const;
@@ -114,7 +116,8 @@ class Support {
   const collision::BodyPtr& body_of(Thing thing);
   std::optional<Collapse> only_new(Collapse collapse, const std::vector<Thing>& around);
 
-  /// It did not stand at the beginning, and is still where it was then.
+  /// It did not stand at the beginning, is still where it was then, and nothing that it is fixed to
+  /// since then holds it.
   bool floats(Thing thing) const;
 
   const interpreter::PlanModel& plan_;
@@ -127,7 +130,14 @@ class Support {
   std::vector<collision::BodyPtr> bodies_;
   std::vector<Placed> placed_;
   std::vector<bool> floating_;
-  std::vector<Rank> ranks_;  ///< of components
+  std::vector<int> awaited_;  ///< tasks after which something is fixed that floats at the beginning
+  /// What floats since these of them are done.
+  struct Floating {
+    std::vector<bool> done;
+    std::vector<bool> floating;
+  };
+  std::vector<Floating> history_;  ///< from the beginning
+  std::vector<Rank> ranks_;        ///< of components
   Rank last_rank_ = 0;
   bool is_ranked_ = false;
   /// Where things stand, in squares; those that are in many of them.

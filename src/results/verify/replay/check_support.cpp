@@ -39,7 +39,8 @@ struct Standing {
   const Hull* hull = nullptr;
   const Solid* solid = nullptr;
   Bounds bounds;
-  Faces top;  ///< made when asked for
+  Faces top;               ///< made when asked for
+  Ticks floats_until = 0;  ///< it does not stand before
 };
 
 class SupportCheck {
@@ -95,6 +96,7 @@ class SupportCheck {
     std::vector<Bounds> boxes;
     for (const Standing& each : standing_) boxes.push_back(each.bounds);
     tree_ = BoxTree(boxes);
+    find_floating();
   }
 
   void run() {
@@ -128,9 +130,59 @@ class SupportCheck {
     return found;
   }
 
-  bool floats(const Standing& each) const {
-    return each.from == 0 && each.component >= 0 &&
-           floating_.contains(scene_.components[at(each.component)].name);
+  static bool floats(const Standing& each, Ticks time) { return time < each.floats_until; }
+
+  /// What does not stand at the beginning does so when a task that fixes it is done, if that holds
+  /// it then; and what rests on it with it.
+  void find_floating() {
+    std::vector<int> floating;
+    std::set<Ticks> times;
+    for (int i = 0; i < components_; ++i) {
+      Standing& each = standing_[at(i)];
+      const SceneComponent& component = scene_.components[at(each.component)];
+      if (each.from > 0 || !floating_.contains(component.name)) continue;
+      each.floats_until = std::numeric_limits<Ticks>::max();
+      floating.push_back(i);
+      for (const std::string& task : component.fixed_after) {
+        const auto done = done_.find(task);
+        if (done != done_.end() && done->second < each.to) times.insert(done->second);
+      }
+    }
+    for (const Ticks time : times) {
+      std::set<int> open;
+      for (const int index : floating) {
+        const SceneComponent& component = scene_.components[at(standing_[at(index)].component)];
+        for (const std::string& task : component.fixed_after) {
+          const auto done = done_.find(task);
+          if (done != done_.end() && done->second <= time) open.insert(index);
+        }
+      }
+      while (!open.empty()) {
+        const int index = *open.begin();
+        open.erase(open.begin());
+        Standing& each = standing_[at(index)];
+        if (!floats(each, time) || time >= each.to) continue;
+        const std::vector<int> carriers = carriers_of(index, time);
+        if (!is_carried(index, time, feet(index, carriers), carriers)) continue;
+        each.floats_until = time;
+        if (!balances(index, time)) {
+          each.floats_until = std::numeric_limits<Ticks>::max();
+          continue;
+        }
+        for (const int other : near(index)) {
+          if (floats(standing_[at(other)], time)) open.insert(other);
+        }
+      }
+    }
+  }
+
+  /// What stands near it just after `time`.
+  std::vector<int> carriers_of(int index, Ticks time) const {
+    std::vector<int> carriers;
+    for (const int other : near(index)) {
+      if (stands(standing_[at(other)], time)) carriers.push_back(other);
+    }
+    return carriers;
   }
 
   /// Neither moves while it stands.
@@ -175,13 +227,9 @@ class SupportCheck {
   /// Whether it stands by what else stands just after `time`.
   void check(int index, Ticks time) {
     Standing& each = standing_[at(index)];
-    if (floats(each) || !checked_.emplace(index, time).second) return;
+    if (floats(each, time) || !checked_.emplace(index, time).second) return;
     const SceneComponent& component = scene_.components[at(each.component)];
-    std::vector<int> carriers;
-    for (const int other : near(index)) {
-      const Standing& under = standing_[at(other)];
-      if (under.from <= time && time < under.to && !floats(under)) carriers.push_back(other);
-    }
+    const std::vector<int> carriers = carriers_of(index, time);
     const std::vector<Vec2> points = feet(index, carriers);
     if (is_carried(index, time, points, carriers)) return;
     faults_.push_back(
@@ -234,9 +282,9 @@ class SupportCheck {
     std::map<Ticks, std::pair<std::vector<int>, std::vector<int>>> events;  // taken, put
     for (int i = 0; i < components_; ++i) {
       const Standing& each = standing_[at(i)];
-      if (!floats(each)) {
+      if (each.floats_until < each.to) {
         turns_[at(i)] = kNoTurn;
-        events[each.from].second.push_back(i);
+        events[std::max(each.from, each.floats_until)].second.push_back(i);
       }
       if (each.to < until_) events[each.to].first.push_back(i);
     }
@@ -322,7 +370,7 @@ class SupportCheck {
   }
 
   bool stands(const Standing& each, Ticks time) const {
-    return each.from <= time && time < each.to && !floats(each);
+    return each.from <= time && time < each.to && !floats(each, time);
   }
 
   /// Carried by what is outside: the ground, soil, what is fixed to the site.
@@ -363,10 +411,27 @@ class SupportCheck {
     return points;
   }
 
-  /// Whether the weights of all that has forces with these can be balanced just after `time`.
   void check_balance(const std::vector<int>& first, Ticks time) {
-    if (!scene_.support->friction) return;
+    const std::vector<int> members = unbalanced_with(first, time);
+    if (members.empty()) return;
+    const std::string& name = scene_.components[at(standing_[at(members[0])].component)].name;
+    faults_.push_back({FaultKind::support, ResultFile::trace, 0, "", time,
+                       fmt::format("{} and what it rests on do not stand: their weights cannot be "
+                                   "balanced",
+                                   name)});
+  }
+
+  bool balances(int index, Ticks time) {
+    const bool balances = unbalanced_with({index}, time).empty();
+    balanced_.clear();
+    return balances;
+  }
+
+  /// What has forces with these, if their weights cannot be balanced just after `time`; nothing
+  /// where they can, or that is known.
+  std::vector<int> unbalanced_with(const std::vector<int>& first, Ticks time) {
     std::vector<int> members;
+    if (!scene_.support->friction) return members;
     std::map<int, int> body_of;
     const auto take = [&](int index) {
       const Standing& each = standing_[at(index)];
@@ -405,7 +470,7 @@ class SupportCheck {
       bodies.push_back({each.X_WS * each.hull->centre_of_mass, component.mass,
                         component.has_brace_crew || is_held(index, component.braced_by, around)});
     }
-    if (members.empty() || !balanced_.emplace(members, time).second) return;
+    if (members.empty() || !balanced_.emplace(members, time).second) return {};
     std::vector<BalancePoint> points;
     for (const auto& [over, under] : rests) {
       const auto lower = body_of.find(under);
@@ -425,12 +490,8 @@ class SupportCheck {
       const auto second = body_of.find(other);
       fixed.push_back({body_of[one], second == body_of.end() ? -1 : second->second});
     }
-    if (balance_of(bodies, points, fixed, *scene_.support->friction) != Balance::fails) return;
-    const std::string& name = scene_.components[at(standing_[at(members[0])].component)].name;
-    faults_.push_back({FaultKind::support, ResultFile::trace, 0, "", time,
-                       fmt::format("{} and what it rests on do not stand: their weights cannot be "
-                                   "balanced",
-                                   name)});
+    if (balance_of(bodies, points, fixed, *scene_.support->friction) != Balance::fails) return {};
+    return members;
   }
 
   static Faces ground(const Bounds& box) {
