@@ -192,6 +192,14 @@ class Support(unittest.TestCase):
         self.assertIn("other does not stand", rows["hang"]["reason"])
         self.assertEqual(rows["put"]["reason"], "load does not stand: it rests on bracket, which does not stand")
 
+    def test_the_hint_for_what_waits_to_be_fixed(self):
+        self.write("site.plan", "plan site {\n" + HEAD + box("wall", 20, height=4)
+                   + box("bracket", 21, z=3, height=1, more="fixed to wall after weld;")
+                   + "  crew welders;\n  task weld { by welders; takes 1 h; }\n}\n")
+        check = self.rubicon("check", "site.plan").stderr
+        self.assertIn("it is fixed to wall only after weld", check)
+        self.assertIn("hint: say what holds it until then", check)
+
     def test_the_beginning(self):
         lid = box("lid", 10, z=2, height=1)
         rows = self.run_plan(lid, box("b", 0), move("on_lid", "b", 10, 3), move("take", "lid", 20, 0), exit_code=1,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -173,6 +174,21 @@ Diagnostic warning(const char* code, Span span, std::string message, std::string
   return {Severity::warning, code, span, std::move(message), {}, std::move(hint)};
 }
 
+/// What helps a component that does not stand.
+std::string hint_for(const interpreter::ComponentSpec& component) {
+  const auto& fixings = component.fixed_to;
+  if (fixings.empty()) {
+    return "set it down, or say what holds it: fixed to NAME; or braced by NAME; in the component, "
+           "or support off; in the plan";
+  }
+  const bool all_wait =
+      std::all_of(fixings.begin(), fixings.end(), [](const auto& each) { return each.after >= 0; });
+  return all_wait ? "say what holds it until then: fixed to NAME; without after, or braced by "
+                    "NAME;, or set it down, or support off; in the plan"
+                  : "what it is fixed to does not touch it: bring them together, or support off; "
+                    "in the plan";
+}
+
 }  // namespace
 
 Beginning look_at_beginning(const interpreter::PlanModel& plan) {
@@ -226,11 +242,7 @@ std::vector<Diagnostic> warnings_of(const interpreter::PlanModel& plan,
     all.push_back(
         warning("P45", component.span,
                 fmt::format("at the beginning {} does not stand: {}", component.name, reason),
-                component.fixed_to.empty()
-                    ? "set it down, or say what holds it: fixed to NAME; or braced by NAME; in "
-                      "the component, or support off; in the plan"
-                    : "what it is fixed to does not touch it: bring them together, or support off; "
-                      "in the plan"));
+                hint_for(component)));
   }
   return all;
 }
