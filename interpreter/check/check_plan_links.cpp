@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interpreter/check/bare_seconds.hpp"
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 
@@ -128,7 +129,10 @@ std::vector<LinkSpec> resolve_links(Subject& subject, const Scope& scope,
     if (link.lag) {
       const auto lag = bounded(subject, *link.lag, syntax::UnitKind::time, "the lag of a link",
                                -kMaxDuration, kMaxDuration);
-      if (lag) spec.lag = schedule::ticks_from_seconds(*lag);
+      if (lag) {
+        warn_of_bare_seconds(subject, *link.lag, "the lag of a link", *lag);
+        spec.lag = schedule::ticks_from_seconds(*lag);
+      }
     }
     if (scope.records_uses && type && *type != LinkType::FS) {
       subject.use(link.type->text, link.span);

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "interpreter/check/bare_seconds.hpp"
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 
@@ -48,15 +50,19 @@ std::optional<schedule::CivilTime> resolve_civil_time(Subject& subject,
   return time;
 }
 
+void warn_of_bare_seconds(Subject& subject, const syntax::Number& number, const std::string& what,
+                          double seconds) {
+  if (seconds == 0 || number.unit != syntax::UnitKind::none) return;
+  subject.diagnostics.warning(
+      "P22", number.span,
+      fmt::format("{0} {1:g} has no unit and is taken as {1:g} s", what, seconds),
+      fmt::format("write {0:g} s, {0:g} min or {0:g} h", std::fabs(seconds)));
+}
+
 std::optional<double> resolve_duration(Subject& subject, const syntax::Number& number,
                                        const std::string& what) {
   const auto seconds = bounded(subject, number, syntax::UnitKind::time, what, 0, kMaxDuration);
-  if (seconds && *seconds > 0 && number.unit == syntax::UnitKind::none) {
-    subject.diagnostics.warning(
-        "P22", number.span,
-        fmt::format("{0} {1:g} has no unit and is taken as {1:g} s", what, *seconds),
-        fmt::format("write {0:g} s, {0:g} min or {0:g} h", *seconds));
-  }
+  if (seconds) warn_of_bare_seconds(subject, number, what, *seconds);
   return seconds;
 }
 
