@@ -91,6 +91,13 @@ class Sources(unittest.TestCase):
         self.assertEqual(told[1:], told[:1] * 3)
         self.assertIn("try 3/34", told[0])
 
+    def test_work_takes_its_hours_in_shifts(self):
+        path = os.path.join(self.folder, "p.plan")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write('plan p { start_at "2026-03-02 07:00"; calendar day { mon-fri 07:00-12:00, 12:30-16:00; }\n'
+                       "  crew masons { calendar day; } task grout { by masons; takes 20 h; } }\n")
+        self.assertIn("  takes: 72000 s\n", rubicon("debug", path, "-x", "step", "--batch").stdout)
+
     def test_a_trace_without_steps_says_how_to_get_them(self):
         trace = os.path.join(self.folder, "t.jsonl")
         for detail in ("tasks", "none"):

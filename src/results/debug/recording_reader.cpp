@@ -190,7 +190,7 @@ void RecordingReader::fill(Event& event, const trace::Wait& wait) { event.n = wa
 void RecordingReader::fill(Event& event, const trace::Work& work) {
   event.text = recording_.texts.add(work.what);
   event.other = recording_.texts.add(work.crew);
-  event.value = trace::seconds(work.from);
+  event.value = trace::seconds(work.time);
 }
 
 void RecordingReader::fill(Event& event, const trace::Pause& pause) {

@@ -88,6 +88,7 @@ std::string line_text(const Recording& recording, const Event& event, const Pain
                      line == nullptr ? std::string() : trimmed(*line));
 }
 
+/// The whole time from its begin to its end.
 std::string duration_text(const Event& event) { return seconds_text(event.t - event.value); }
 
 std::string pause_text(const std::string& why, const std::string& whom) {
@@ -135,7 +136,7 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
       return "wait";
     case EventKind::work:
       return fmt::format("{}{}: {}", text, other.empty() ? std::string() : " by " + other,
-                         duration_text(event));
+                         seconds_text(event.value));
     case EventKind::pause:
       return fmt::format("pause: {}: {}", pause_text(text, other), duration_text(event));
     case EventKind::attach:
