@@ -79,6 +79,9 @@ class Support(unittest.TestCase):
             self.assertEqual(rows["set"]["result"], "rejected" if reason else "done")
         why = self.rubicon("why", "out", "set")
         self.assertIn("b does not stand: its centre of mass is 300 mm outside", why.stdout)
+        for z, told in ((1.0104, "10.4 mm"), (1.01004, "10.04 mm")):  # 10 mm carry
+            rows = self.run_plan(slab, box("b", 0), move("set", "b", 10, z), exit_code=1)
+            self.assertEqual(rows["set"]["reason"], f"b does not stand: the nearest below is slab, {told} lower")
 
     def test_the_plan_says_how_strict_it_is(self):
         floating = box("b", 0) + move("set", "b", 10, 1)

@@ -36,6 +36,16 @@ std::string length_text(double metres) {
                             : fmt::format("{:.0f} mm", millimetres);
 }
 
+/// How much lower the nearest is than what carries: with as many digits as tell it from the gap.
+std::string lower_text(double metres, double gap) {
+  std::string text = length_text(metres);
+  for (int digits = 1; digits <= 3 && text == length_text(gap); ++digits) {
+    const std::string exact = fmt::format("{:.{}f} mm", metres * 1000, digits);
+    if (exact != fmt::format("{:.{}f} mm", gap * 1000, digits)) text = exact;
+  }
+  return text;
+}
+
 }  // namespace
 
 Support::Support(const interpreter::PlanModel& plan, const SiteWorld& site,
@@ -419,7 +429,8 @@ std::string Support::reason_below(int component, const StandingSurface& bottom, 
     }
   }
   if (nearest >= 0) {
-    return fmt::format("the nearest below is {}, {} lower", name_of(nearest), length_text(least));
+    return fmt::format("the nearest below is {}, {} lower", name_of(nearest),
+                       lower_text(least, plan_.support.gap));
   }
   if (around >= 0) {
     return fmt::format("it reaches {} below {}", length_text(deepest), name_of(around));
