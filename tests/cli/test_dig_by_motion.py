@@ -233,6 +233,13 @@ class DigByMotion(ResultCase):
                 ends.append([task["duration"] for _, task in sorted(tasks.items())])
             self.assertEqual(ends[0], ends[1])
 
+    def test_fine_cells(self):
+        # Cuts beside a wall are tried whatever the cells are, and the corners come away with one that passes them.
+        for cell, pit in ((0.05, "box(3, -0.6, -0.4, 4, 0.6, 1)"), (0.1, "box(3, 0.3, -0.4, 4.4, 1.9, 1)"), (0.05, "box(3, 0.3, -0.4, 4.4, 1.9, 1)")):
+            text = plan(pit, trucks="").replace("grid 60, 40; cell 0.2 m", "grid %d, %d; cell %g m" % (12 / cell, 8 / cell, cell))
+            _, tasks = self.run_plan(text)
+            self.assertEqual(tasks["dig"]["result"], "done")
+
     def test_verify_sees_what_is_changed(self):
         self.run_plan(plan(count=1))
 

@@ -15,7 +15,8 @@ namespace {
 
 /// A cut is looked at in steps of this share of a cell.
 constexpr double kStepOfCell = 0.25;
-/// Steps aside, either way, and back from the far edge of the cell.
+/// Steps aside, either way, and back from the far edge of the cell. Where they would not go far
+/// enough they are longer.
 constexpr int kMostAside = 24;
 constexpr int kMostBack = 3;
 constexpr int kMostOn = 60;
@@ -86,22 +87,26 @@ class BiteSearch {
     const double bearing_deg = math::atan2_deg(y, x);
     const double width = print_.left - print_.right;
     const double more = rules_.spread;
-    const int aside =
-        std::min(kMostAside, static_cast<int>(std::ceil((width / 2 + more) / step_)) + 1);
-    const int back = kMostBack + std::min(kMostAside, static_cast<int>(std::ceil(more / step_)));
-    const int on =
-        std::min(kMostOn, static_cast<int>(std::ceil((print_.front - print_.back + more) / step_)));
+    const double length = print_.front - print_.back + more;
+    const double step_aside = std::max(step_, (width / 2 + more) / (kMostAside - 1));
+    const double step_along = std::max({step_, more / kMostAside, length / kMostOn});
+    const auto steps = [](double way, double step) {
+      return static_cast<int>(std::ceil(way / step));
+    };
+    const int aside = std::min(kMostAside, steps(width / 2 + more, step_aside) + 1);
+    const int back = kMostBack + std::min(kMostAside, steps(more, step_along));
+    const int on = std::min(kMostOn, steps(length, step_along));
     struct Found {
       Bite bite;
       int aside = 0;
     };
     std::vector<Found> found;
     for (int j = -aside; j <= aside; ++j) {
-      const Heading heading(bearing_deg + math::degrees(j * step_ / distance));
+      const Heading heading(bearing_deg + math::degrees(j * step_aside / distance));
       // with its far edge at that of the cell, or farther back, or farther on
       for (int k = 0; k <= back + on; ++k) {
         const int i = k <= back ? k : back - k;
-        const double far = distance + side_ / 2 - kGroundGap - i * step_ - print_.front;
+        const double far = distance + side_ / 2 - kGroundGap - i * step_along - print_.front;
         if (far > rules_.before - step_ / 2) continue;
         if (auto bite = cut(heading, far)) {
           found.push_back({*bite, j});
@@ -156,6 +161,26 @@ class BiteSearch {
     const double dy = now_.middle(row) - p.y();
     return covers(dx * c + dy * s, dy * c - dx * s, c, s, half_along_ - kGroundGap + more,
                   half_across_ - kGroundGap + more);
+  }
+
+  /// Whether a bucket there takes of the target what comes away with it: as `BucketFill` does, from
+  /// where that is beside the bucket straight towards its middle.
+  bool reaches_target(const Heading& heading, double distance) const {
+    const auto& [deg, c, s] = heading;
+    const Eigen::Vector2d p = middle_at(heading, distance);
+    for (const double a : kQuarters) {
+      for (const double b : kQuarters) {
+        const double dx = (target_.cell % now_.columns + a) * side_ - p.x();
+        const double dy = (static_cast<double>(target_.cell / now_.columns) + b) * side_ - p.y();
+        const double way = std::sqrt(dx * dx + dy * dy);
+        const double left = way <= rules_.spread ? 0 : 1 - rules_.spread / way;
+        if (std::fabs(dx * c + dy * s) * left <= half_along_ - kGroundGap &&
+            std::fabs(dy * c - dx * s) * left <= half_across_ - kGroundGap) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /// It is looked at no further than to ground that stays above `limit`.
@@ -249,6 +274,7 @@ class BiteSearch {
     bite.far = bite.near = far;
     Millimetres soil = under.soil;
     Millimetres passed = under.soil;
+    bool reaches = rules_.spread <= 0;
     ++stamp_;
     const CubicMillimetres area = now_.cell * now_.cell;
     for (int i = 0; i < kMostSteps; ++i) {
@@ -259,6 +285,7 @@ class BiteSearch {
         if (!under.is_free) break;
       }
       passed = std::max(passed, under.soil);
+      reaches = reaches || reaches_target(heading, distance);
       const CubicMillimetres before = bite.expected;
       for (const int cell : under.covered) {
         std::uint32_t& seen = seen_at(cell);
@@ -272,7 +299,7 @@ class BiteSearch {
       soil = passed;
       if (bite.expected >= rules_.room) break;
     }
-    if (bite.expected == 0) return std::nullopt;
+    if (bite.expected == 0 || (!reaches && bite.expected < rules_.room)) return std::nullopt;
     bite.expected = std::min(bite.expected, rules_.room);
     bite.low = static_cast<double>(cutting) * 1e-3 - print_.low;
     const Millimetres over = std::max({soil, rules_.rim, cutting});
