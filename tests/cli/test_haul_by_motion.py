@@ -7,7 +7,7 @@ import re
 import unittest
 
 from result_case import ResultCase, rubicon
-from test_dig_by_motion import DIGGER, MOTION
+from test_dig_by_motion import DIGGER, MOTION, ROOT
 
 # A cart that goes along x and along y, so that times can be worked out.
 CART = """robot cart {
@@ -175,6 +175,14 @@ class HaulByMotion(ResultCase):
         # It drives over what is 0.15 m deep.
         _, tasks = self.run_plan(plan(more=pit % (-0.1, "")))
         self.assertEqual(tasks["haul_1"]["result"], "done")
+
+    def test_a_dig_keeps_its_reason_without_its_truck(self):
+        # The bucket cannot get past the cab. The truck has nobody to haul for then, which says nothing new of the dig.
+        with open(os.path.join(ROOT, "taskplans", "trench_hauled.plan"), encoding="utf-8") as file:
+            text = file.read().replace('"../robots', '"' + os.path.join(ROOT, "robots")).replace("trans(2, 6.2, 2.9)", "trans(4.9, 6.2, 2.9)")
+        _, tasks = self.run_plan(text, 1, ("--set", "trucks=1"))
+        self.assertIn("excavator.bucket meets lorry_1.truck", tasks["dig_trench"]["reason"])
+        self.assertIn("none of the tasks that it hauls for digs", tasks["haul_1"]["reason"])
 
     def test_verify_sees_what_is_changed(self):
         self.run_plan(plan())

@@ -137,6 +137,7 @@ class Simulation : private LinkState::Listener {
   void free_groups(bool rejected);
   bool kept_from_others(int resource, int group) const;
   bool may_want(int task, int resource) const;
+  bool misses_all_trucks(int task) const;
   void give_second_chances(int cause);
   void let_go(ActiveTask& active, int before, schedule::LinkType type);
   TaskOutcome not_reached(int task, int missing) const;

@@ -137,6 +137,15 @@ TaskOutcome Simulation::not_reached(int task, int missing) const {
   return outcome;
 }
 
+/// Whether it digs for trucks with bodies none of which comes: it would only lose its reason.
+bool Simulation::misses_all_trucks(int task) const {
+  const interpreter::TaskSpec& spec = stage_.spec(task);
+  if (!spec.motion_dig || !spec.motion_dig->loads_bodies()) return false;
+  const std::vector<int>& haulers = spec.motion_dig->haulers;
+  return std::all_of(haulers.begin(), haulers.end(),
+                     [this](int hauler) { return excluded_.contains(hauler); });
+}
+
 /// Who was rejected because of a task that is not done either might be done without that one: the
 /// run begins again without it, and finds out again about all that it has rejected on the way.
 void Simulation::give_second_chances(int cause) {
@@ -145,7 +154,7 @@ void Simulation::give_second_chances(int cause) {
   std::set<int> let_in;
   for (const int task : doubtful_) {
     const auto rejected = excluded_.find(task);
-    if (task == cause || rejected == excluded_.end()) continue;
+    if (task == cause || rejected == excluded_.end() || misses_all_trucks(task)) continue;
     if (second_chances_.size() >= kMostSecondChances) break;
     for (const int other : rejected->second.involved) {
       if (!without.contains(other) || !excluded_.contains(other)) continue;
