@@ -55,7 +55,9 @@ if(RUBICON_SANITIZE)
 endif()
 
 # With RUBICON_SANITIZE: the modules that are done with their work in a blink, optimised or not. Without, they are compiled in half the time.
-set(rubicon_quick_modules advice comparison debug flow gantt golden layout page report why answers cluster search study)
+set(rubicon_quick_modules
+    advice answers area_io building_io cluster comparison debug encoding files film flow gantt gltf golden layout page palette project_io
+    report search statistics study urdf why)
 
 # With RUBICON_FUZZ: the modules whose ways through the code guide the fuzzer (tests/fuzz).
 set(rubicon_fuzzed_modules interpreter project_io building_io urdf ifc verify film debug why)
