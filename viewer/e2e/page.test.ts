@@ -42,6 +42,25 @@ describe.skipIf(!hasBrowser)('the page', () => {
     expect(await first.isVisible()).toBe(true);
   });
 
+  test('has all of it in reach on a phone', async () => {
+    const phone = await openReport(browser, result.report, { width: 390, height: 844 });
+    const within = async (what: string) => {
+      const box = await phone.page.locator(what).first().boundingBox();
+      expect(box, what).not.toBeNull();
+      expect(box!.x, what).toBeGreaterThanOrEqual(0);
+      expect(box!.x + box!.width, what).toBeLessThanOrEqual(390);
+      expect(box!.y + box!.height, what).toBeLessThanOrEqual(844);
+      expect(Math.min(box!.width, box!.height), what).toBeGreaterThan(10);
+    };
+    for (const what of ['#view canvas', '#side', '#top dd >> nth=-1', '#top button >> nth=-1', '.clock', '#controls select']) await within(what);
+    for (const name of ['Tasks', 'Gantt', 'Steps']) {
+      await phone.page.getByRole('tab', { name, exact: true }).click();
+      await within('[role=tabpanel]:not([hidden])');
+    }
+    expect(phone.complaints).toEqual([]);
+    await phone.close();
+  });
+
   test('plays, pauses, stops, and goes from component to component', async () => {
     await seek(page, 0);
     await press(/^Play/);

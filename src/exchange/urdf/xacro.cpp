@@ -521,7 +521,9 @@ class Expander {
         continue;
       }
       const std::size_t end = closing(written, at + 1);
-      const std::string inner = written.substr(at + 2, end - at - 2);
+      std::string inner = written.substr(at + 2, end - at - 2);
+      // $(...) in an expression stands for its text.
+      if (expression && inner.find("$(") != std::string::npos) inner = text(inner, element, scope);
       Value value =
           expression ? evaluate_in(inner, element, scope) : command(inner, element, scope);
       if (at == 0 && end + 1 == written.size()) return value;
@@ -543,9 +545,13 @@ class Expander {
     throw ExpressionError{fmt::format("expected '{}' before its end", closes)};
   }
 
-  Value evaluate_in(const std::string& expression, const Element& element, Scope& scope) {
-    const NameLookup lookup = [&](const std::string& name) {
-      return value_of(name, scope, element);
+  /// `knows_arguments`: a name that is no property may be an argument.
+  Value evaluate_in(const std::string& expression, const Element& element, Scope& scope,
+                    bool knows_arguments = false) {
+    const NameLookup lookup = [&](const std::string& name) -> std::optional<Value> {
+      if (auto value = value_of(name, scope, element)) return value;
+      if (!knows_arguments || arguments_.count(name) == 0) return std::nullopt;
+      return literal_value(argument(name));
     };
     Value value = evaluate(expression, lookup, steps_);
     const auto* text = std::get_if<std::string>(&value);
@@ -556,27 +562,62 @@ class Expander {
     return value;
   }
 
+  const std::string& argument(const std::string& name) {
+    const auto found = arguments_.find(name);
+    if (found == arguments_.end()) {
+      throw ExpressionError{
+          fmt::format("the argument '{0}' has no value; give it: --arg {0}=VALUE", name)};
+    }
+    asked_.insert(name);
+    return found->second;
+  }
+
+  /// The expression of $(eval ...) with the value of each arg('name') in its place.
+  std::string with_arguments(const std::string& expression) {
+    constexpr std::string_view kCall = "arg(";
+    constexpr std::string_view kOfNames =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
+    std::string result;
+    std::size_t done = 0;
+    for (std::size_t at = expression.find(kCall); at != std::string::npos;
+         at = expression.find(kCall, at + 1)) {
+      if (at > 0 && kOfNames.find(expression[at - 1]) != std::string_view::npos) continue;
+      const std::size_t close = expression.find(')', at);
+      if (close == std::string::npos) break;
+      std::string_view name(expression);
+      name = name.substr(at + kCall.size(), close - at - kCall.size());
+      name.remove_prefix(std::min(name.find_first_not_of(kBlanks), name.size()));
+      name = name.substr(0, name.find_last_not_of(kBlanks) + 1);
+      const bool quoted = name.size() > 2 && name.front() == name.back() &&
+                          (name.front() == '\'' || name.front() == '"');
+      if (!quoted) continue;
+      const std::string& value = argument(std::string(name.substr(1, name.size() - 2)));
+      const bool is_text = std::holds_alternative<std::string>(literal_value(value));
+      if (is_text && value.find_first_of("'\\") != std::string::npos) {
+        throw ExpressionError{fmt::format("the text {} cannot stand in an expression", value)};
+      }
+      result += expression.substr(done, at - done);
+      result += is_text ? "'" + value + "'" : "(" + value + ")";
+      if (result.size() > kMaxTextBytes) throw ExpressionError{"the text becomes too long"};
+      done = close + 1;
+      at = close;
+    }
+    return result + expression.substr(done);
+  }
+
   /// What stands in $(...).
   Value command(const std::string& written, const Element& element, Scope& scope) {
     const std::size_t blank = std::min(written.find_first_of(kBlanks), written.size());
     const std::string word = written.substr(0, blank);
     const std::size_t begin = std::min(written.find_first_not_of(kBlanks, blank), written.size());
     const std::string rest = text(written.substr(begin), element, scope);
-    if (word == "eval") return evaluate_in(rest, element, scope);
+    if (word == "eval") return evaluate_in(with_arguments(rest), element, scope, true);
     if (word == "find") return "package://" + rest;
     if (word == "dirname") {
       const std::size_t slash = path_.rfind('/');
       return slash == std::string::npos ? std::string(".") : path_.substr(0, slash);
     }
-    if (word == "arg") {
-      const auto found = arguments_.find(rest);
-      if (found == arguments_.end()) {
-        throw ExpressionError{
-            fmt::format("the argument '{0}' has no value; give it: --arg {0}=VALUE", rest)};
-      }
-      asked_.insert(rest);
-      return found->second;
-    }
+    if (word == "arg") return argument(rest);
     throw ExpressionError{
         fmt::format("$({}) is not read here; arg, find, dirname and eval are", shortened(word))};
   }

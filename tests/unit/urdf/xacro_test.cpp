@@ -51,6 +51,13 @@ TEST(Xacro, Arguments) {
   EXPECT_EQ(box(argument + "<xacro:property name=\"v\" value=\"$(arg w)\"/>", "${v * 2} 2 2"),
             "box(-4, -1, -1, 4, 1, 1)");
   EXPECT_EQ(box(argument, "$(eval 2 * 3) 2 2"), "box(-3, -1, -1, 3, 1, 1)");
+  for (const char* const six :
+       {"${2*$(arg w)}", "$(eval arg('w') * 2)", "$(eval w * 2)", "$(eval 2 + arg( 'w' ))"}) {
+    EXPECT_EQ(box(argument, std::string(six) + " 2 2", {{"w", "3"}}),
+              std::string(six).find('+') == std::string::npos ? "box(-3, -1, -1, 3, 1, 1)"
+                                                              : "box(-2.5, -1, -1, 2.5, 1, 1)");
+  }
+  EXPECT_EQ(box(argument, "${2 - $(arg w)} 2 2", {{"w", "-2"}}), "box(-2, -1, -1, 2, 1, 1)");
   EXPECT_EQ(
       error("<link name=\"$(arg n)\"/>"),
       "I22 2: in '$(arg n)' of <link>: the argument 'n' has no value; give it: --arg n=VALUE");
