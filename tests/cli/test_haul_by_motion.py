@@ -176,6 +176,18 @@ class HaulByMotion(ResultCase):
         _, tasks = self.run_plan(plan(more=pit % (-0.1, "")))
         self.assertEqual(tasks["haul_1"]["result"], "done")
 
+    def test_nobody_drives_over_a_pit_on_another_errand(self):
+        text = "plan p { " + EARTHS + """ robot cart "cart.robot" { start x -9, y 2; } crew hands; crew barrows;
+          task trench { by hands; dig ground to box(2, 1, %s, 3, 3, 1) { load barrows takes 10 min; bed 1 m3; tip takes 1 s; } }
+          task drive { by cart; go x 7; after trench; } }"""
+        _, tasks = self.run_plan(text % -0.5, 1)
+        self.assertIn("cart.cart meets the pit of trench", tasks["drive"]["reason"])
+        # what is 0.15 m deep is driven over
+        _, tasks = self.run_plan(text % -0.15)
+        self.assertEqual(tasks["drive"]["result"], "done")
+        self.assertIn("it drives over the pit of trench", self.faults_of(lambda result: [
+            result.task("trench")["dig"]["pit"].update(after=[-500 for _ in result.task("trench")["dig"]["pit"]["after"]])]))
+
     def test_a_dig_keeps_its_reason_without_its_truck(self):
         # The bucket cannot get past the cab. The truck has nobody to haul for then, which says nothing new of the dig.
         with open(os.path.join(ROOT, "taskplans", "trench_hauled.plan"), encoding="utf-8") as file:

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "interpreter/check/driving_robots.hpp"
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::site {
@@ -120,15 +121,14 @@ SiteWorld make_site(const interpreter::PlanModel& plan, const PreparedSite& prep
     site.add_network(plan.networks[i].name,
                      traffic::Traffic(std::move(network), std::move(vehicles)), std::move(robots));
   }
-  const bool hauls = std::any_of(plan.tasks.begin(), plan.tasks.end(),
-                                 [](const auto& task) { return task.haul.has_value(); });
+  const std::vector<bool> drives = interpreter::driving_robots(plan);
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    if (drives[i]) site.set_drives(static_cast<int>(i));
+  }
+  const bool any_drives = std::find(drives.begin(), drives.end(), true) != drives.end();
   for (const interpreter::TaskSpec& task : plan.tasks) {
-    if (task.haul) site.set_drives(task.robot);
-    for (const interpreter::TaskSpec& choice : task.choices) {
-      if (choice.haul) site.set_drives(choice.robot);
-    }
     if (task.motion_dig) add_pit_of(*task.motion_dig, task, plan, site);
-    if (hauls && task.dig && task.dig->after) add_pit_of(*task.dig, task, plan, site);
+    if (any_drives && task.dig && task.dig->after) add_pit_of(*task.dig, task, plan, site);
   }
   if (plan.workspaces) {
     const interpreter::WorkspacesSpec& spec = *plan.workspaces;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "interpreter/check/driving_robots.hpp"
 #include "src/exchange/encoding/sha256.hpp"
 #include "src/simulation/trace/cover_header.hpp"
 #include "src/simulation/trace/json_builder.hpp"
@@ -414,8 +415,8 @@ void write_dig(JsonBuilder& json, const PlanModel& plan, const interpreter::DigS
   if (dig.soil >= 0) {
     json.field("earth", plan.earths[static_cast<std::size_t>(dig.earth)].name);
     json.field("soil", plan.components[static_cast<std::size_t>(dig.soil)].name);
-    const auto hauls = [](const interpreter::TaskSpec& task) { return task.haul.has_value(); };
-    if (std::any_of(plan.tasks.begin(), plan.tasks.end(), hauls)) write_pit(json, plan, dig);
+    const std::vector<bool> drives = interpreter::driving_robots(plan);
+    if (std::find(drives.begin(), drives.end(), true) != drives.end()) write_pit(json, plan, dig);
   }
   json.field("hauled_by", plan.crews[static_cast<std::size_t>(dig.trucks)].name);
   json.field("trucks", operation.trucks);

@@ -346,10 +346,10 @@ class HaulReplay {
   void check_pit(const TaskRun& dug, const ScenePit& pit, const Lowered& lower) {
     record_ = nullptr;
     for (std::size_t r = 0; r < tracks_.size(); ++r) {
+      if (!drives(static_cast<int>(r))) continue;
       for (const Leg& leg : tracks_[r].legs) {
         if (!leg.moves() || leg.run < 0) continue;
         const TaskRun& run = runs_[at(leg.run)];
-        if (run.task < 0 || !trace_.scene.tasks[at(run.task)].haul) continue;
         if (!is_over(static_cast<int>(r), leg, pit, lower)) continue;
         faults_.push_back({FaultKind::contact, ResultFile::trace, leg.line,
                            trace_.runs[at(run.run)], leg.to,
@@ -358,6 +358,26 @@ class HaulReplay {
         return;  // one of a pit is enough
       }
     }
+  }
+
+  /// Whether it is on wheels: it hauls, or its tool is on a body that goes along x and y by itself,
+  /// and is not lifted.
+  bool drives(int robot) const {
+    const bool hauls = std::any_of(runs_.begin(), runs_.end(), [&](const TaskRun& run) {
+      return run.robot == robot && run.task >= 0 &&
+             trace_.scene.tasks[at(run.task)].haul.has_value();
+    });
+    if (hauls) return true;
+    const SceneRobot& machine = trace_.scene.robots[at(robot)];
+    const auto has = [&](const std::string& name) {
+      return std::any_of(machine.parameters.begin(), machine.parameters.end(),
+                         [&](const SceneParameter& each) {
+                           const bool is_so = each.name == name || each.name.ends_with("." + name);
+                           return each.body == machine.tool_body && is_so;
+                         });
+    };
+    const SceneBody& body = machine.bodies[at(machine.tool_body)];
+    return body.parent < 0 && !body.shapes.empty() && has("x") && has("y") && !has("z");
   }
 
   bool is_over(int robot, const Leg& leg, const ScenePit& dig, const Lowered& lower) const {
