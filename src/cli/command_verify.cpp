@@ -52,10 +52,13 @@ verify::Result read_result(const std::string& path, verify::ResultNames& names) 
   }
   const auto name = [&](const char* file) { return files::result_path(path, file); };
   names = {files::result_trace(path), name("schedule.json"), name("schedule.csv"),
-           name("report.html")};
+           name("loads.csv"), name("report.html")};
   read_trace(names.trace, result);
   result.schedule_json = read_input(names.schedule_json);
   result.schedule_csv = read_input(names.schedule_csv);
+  if (std::filesystem::exists(names.loads_csv, error)) {
+    result.loads_csv = read_input(names.loads_csv);
+  }
   if (std::filesystem::exists(names.report, error)) {
     result.report = read_input(names.report);
     if (!verify::says_its_origin(*result.report)) {

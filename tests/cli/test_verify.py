@@ -3,6 +3,7 @@
 import collections
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -132,6 +133,59 @@ class Verify(unittest.TestCase):
                 self.assertTrue(fault.is_found(faults), json.dumps(faults[:8], indent=1))
         self.assertEqual(len(counts), len(seeded_faults.KINDS), counts)
         self.assertGreaterEqual(sum(counts.values()), 200, counts)
+
+    def expect_changed_is_found(self, folder, name, old, new, words):
+        """A text of a good result that is changed in one file is a fault of that file."""
+        path = os.path.join(folder, name)
+        with open(path, encoding="utf-8", newline="") as file:
+            good = file.read()
+        self.assertIn(old, good)
+        with open(path, "w", encoding="utf-8", newline="") as file:
+            file.write(good.replace(old, new, 1))
+        result = rubicon("verify", folder)
+        with open(path, "w", encoding="utf-8", newline="") as file:
+            file.write(good)
+        self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
+        self.assertRegex(result.stdout, rf"(?m)^.*{name}.*{words}")
+
+    def test_names_dates_and_floats_that_are_changed_are_found(self):
+        path = os.path.join(self.folder, "names.plan")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write('plan p { start_at "2028-02-28 07:00"; crew a; crew b;\n'
+                       '  component wall { name "W1"; storey "3"; attribute lot "L 7"; shape box(0, 0, 0, 1, 1, 1); }\n'
+                       '  task short { name "Grout 1"; by a; takes 10 h; baseline "2028-02-28 08:00" to "2028-02-29 08:00"; }\n'
+                       "  task long { by b; takes 30 h; } task take { by a; remove wall; takes 1 h; after short; } }\n")
+        folder = self.run_plan(path)
+        for name, old, new, words in (("schedule.csv", ",68400,0,", ",7,0,", "its float is not that of schedule.json"),
+                                      ("schedule.csv", ",68400,68400,", ",68400,7,", "its float is not"),
+                                      ("schedule.csv", "Grout 1", "Pour 9", "'name' is not what the trace says"),
+                                      ("schedule.json", '"begins":"2028-02-28 08:00"', '"begins":"2028-02-20 08:00"', "of its baseline 'begins' is"),
+                                      ("schedule.json", '"ends":"2028-02-29 08:00"', '"ends":"2028-03-09 08:00"', "of its baseline 'ends' is"),
+                                      ("schedule.json", '"name":"Grout 1"', '"name":"Pour 9"', "its name or another attribute"),
+                                      ("schedule.json", '"storey":"3"', '"storey":"7"', "the attributes of component wall")):
+            with self.subTest(name=name, old=old):
+                self.expect_changed_is_found(folder, name, old, new, words)
+
+    def test_figures_of_digs_and_floors_that_are_changed_are_found(self):
+        folder = self.run_plan(os.path.join(ROOT, "examples", "19_dig_and_haul", "site.plan"))
+        for name, old, new, words in (("schedule.json", '"volume":600,', '"volume":700,', "'volume' is 700, by the trace 600"),
+                                      ("schedule.json", '"per_hour":146', '"per_hour":246', "'per_hour'"),
+                                      ("schedule.json", '"cost_per_m3":5', '"cost_per_m3":3', "'cost_per_m3'"),
+                                      ("schedule.json", '"loads":60,', '"loads":50,', "'loads' is 50"),
+                                      ("schedule.json", '"passes":660', '"passes":661', "'passes' is 661"),
+                                      ("schedule.json", '"served":36', '"served":37', "'queue of excavator_a served' is 37"),
+                                      ("schedule.json", '"mean_wait":23', '"mean_wait":33', "mean_wait"),
+                                      ("schedule.json", '"longest_wait":530', '"longest_wait":630', "longest_wait"),
+                                      ("schedule.json", '"utilisation":0.6475', '"utilisation":1.6475', "utilisation"),
+                                      ("schedule.json", '"mean_length":0.0576', '"mean_length":0.0676', "mean_length"),
+                                      ("loads.csv", "dig_pit,3,3,", "dig_pit,3,4,", "load 3 is not that of its rounds"),
+                                      ("loads.csv", "dig_pit,3,", "dig_put,3,", "the schedule has no such task")):
+            with self.subTest(name=name, old=old):
+                self.expect_changed_is_found(folder, name, old, new, words)
+        folder = self.run_plan(os.path.join(ROOT, "examples", "18_cover_a_floor", "site.plan"))
+        with open(os.path.join(folder, "schedule.json"), encoding="utf-8") as file:
+            turns = re.search(r'"turns":\d+', file.read()).group()
+        self.expect_changed_is_found(folder, "schedule.json", turns, turns + "7", "'turns' of what it covers")
 
     def test_faults_of_a_large_result_are_found(self):
         result = seeded_faults.Result(self.run_plan(os.path.join(ROOT, "taskplans", "unit.plan")))

@@ -17,6 +17,8 @@ const std::string& file_of(const Fault& fault, const ResultNames& names) {
       return names.schedule_json;
     case ResultFile::schedule_csv:
       return names.schedule_csv;
+    case ResultFile::loads_csv:
+      return names.loads_csv;
     case ResultFile::report:
       return names.report;
     default:

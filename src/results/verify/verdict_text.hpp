@@ -11,6 +11,7 @@ struct ResultNames {
   std::string trace = "trace.jsonl";
   std::string schedule_json = "schedule.json";
   std::string schedule_csv = "schedule.csv";
+  std::string loads_csv = "loads.csv";
   std::string report = "report.html";
 };
 

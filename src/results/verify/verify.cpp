@@ -36,6 +36,7 @@
 #include "src/results/verify/schedule/check_resources.hpp"
 #include "src/results/verify/schedule/check_schedule.hpp"
 #include "src/results/verify/schedule/check_shifts.hpp"
+#include "src/results/verify/schedule/check_texts.hpp"
 #include "src/results/verify/schedule/check_waits.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 #include "src/results/verify/schedule/task_phases.hpp"
@@ -108,9 +109,10 @@ auto read_file(const char* name, const Read& read) {
 void check_schedules(const Result& result, const Trace& trace, const std::vector<TaskRun>& runs,
                      const WorkingHours& hours, const WaitCheck& waits, Faults& faults) {
   const std::vector<TaskAccount> accounts = task_accounts(trace, runs, hours);
+  std::optional<ScheduleJson> json;
   if (result.schedule_json) {
-    const ScheduleJson schedule =
-        read_file("schedule.json", [&] { return read_schedule_json(*result.schedule_json); });
+    const ScheduleJson& schedule = json.emplace(
+        read_file("schedule.json", [&] { return read_schedule_json(*result.schedule_json); }));
     const Costs costs = costs_of(trace, runs, accounts, schedule.rows);
     check_rows(trace, runs, accounts, costs, waits, schedule.rows, ResultFile::schedule_json,
                faults);
@@ -125,6 +127,12 @@ void check_schedules(const Result& result, const Trace& trace, const std::vector
     check_critical(trace, runs, hours, schedule, faults);
     check_joint_rows(trace, runs, schedule.rows, faults);
     check_chance(trace, schedule, faults);
+    check_texts(trace.scene, schedule, faults);
+    std::optional<std::vector<LoadRow>> loads;
+    if (result.loads_csv) {
+      loads = read_file("loads.csv", [&] { return read_loads_csv(*result.loads_csv); });
+    }
+    check_dig_rows(trace, runs, schedule.rows, loads, faults);
   }
   if (result.schedule_csv) {
     const auto rows =
@@ -133,6 +141,8 @@ void check_schedules(const Result& result, const Trace& trace, const std::vector
     check_rows(trace, runs, accounts, costs, waits, rows, ResultFile::schedule_csv, faults);
     check_dates(trace.scene, rows, ResultFile::schedule_csv, faults);
     check_plan_dates(trace, runs, hours, rows, ResultFile::schedule_csv, 0, faults);
+    check_texts(trace.scene, rows, faults);
+    if (json) check_same_floats(json->rows, rows, faults);
   }
 }
 

@@ -13,6 +13,7 @@ struct Result {
   Trace trace;
   std::optional<std::string> schedule_json;
   std::optional<std::string> schedule_csv;
+  std::optional<std::string> loads_csv;
   std::string trace_digest;           ///< SHA-256 of its lines, each with a line feed
   std::optional<std::string> report;  ///< the text of report.html, if there is one
 };

@@ -40,6 +40,8 @@ const char* name_of(ResultFile file) {
       return "schedule.json";
     case ResultFile::schedule_csv:
       return "schedule.csv";
+    case ResultFile::loads_csv:
+      return "loads.csv";
     case ResultFile::report:
       return "report.html";
   }

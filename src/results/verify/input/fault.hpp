@@ -39,7 +39,7 @@ enum class FaultKind {
   schedule,
   report
 };
-enum class ResultFile { trace, schedule_json, schedule_csv, report };
+enum class ResultFile { trace, schedule_json, schedule_csv, loads_csv, report };
 
 /// One thing that is wrong with a result, and where.
 struct Fault {

@@ -108,6 +108,15 @@ const Json& JsonFields::array(const char* name) const {
   return value;
 }
 
+std::map<std::string, std::string> JsonFields::texts(const char* name) const {
+  std::map<std::string, std::string> found;
+  if (!has(name)) return found;
+  for (const auto& [key, value] : object(name).json().items()) {
+    found[key] = text_of(value, fmt::format("a text of '{}'", name));
+  }
+  return found;
+}
+
 JsonFields JsonFields::object(const char* name) const {
   return {any(name), fmt::format("'{}' of {}", name, what_)};
 }

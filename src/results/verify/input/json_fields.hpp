@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ class JsonFields {
   const std::string& text(const char* name) const;
   const Json& array(const char* name) const;
   JsonFields object(const char* name) const;
+  /// Texts by key; none where there is no such member.
+  std::map<std::string, std::string> texts(const char* name) const;
   /// Seconds as whole nanoseconds.
   Ticks time(const char* name) const;
   math::Pose pose(const char* name) const;

@@ -95,6 +95,7 @@ void read_components(const JsonFields& header, Scene& scene) {
     }
     component.fixed_after.resize(component.fixed_to.size());
     component.has_brace_crew = fields.has("braced_by_crews");
+    component.attributes = fields.texts("attributes");
     component.shapes = read_shapes(fields.array("shapes"), scene.meshes.size());
     add_name(scene.component_index, component.name);
     scene.components.push_back(std::move(component));
@@ -318,6 +319,16 @@ void read_holes(const JsonFields& floor, SceneTask& task) {
 }
 
 void read_cover(const JsonFields& cover, SceneTask& task) {
+  SceneCover& figures = task.cover.emplace();
+  figures.area = cover.text_or("area", "");
+  const auto number = [&](const char* name) { return cover.has(name) ? cover.number(name) : 0; };
+  figures.thickness = number("thickness");
+  figures.covered = number("covered");
+  figures.covered_area = number("covered_area");
+  figures.length = number("length");
+  figures.depth = number("depth");
+  if (cover.has("turns")) figures.turns = cover.integer("turns");
+  if (cover.has("holes")) figures.holes = cover.integer("holes");
   if (cover.has("pace")) task.pace = cover.number("pace");
   if (!cover.has("holes")) {
     task.width = cover.number("width");
@@ -595,6 +606,7 @@ SceneTask read_task(const JsonFields& fields, Scene& scene) {
   read_doing(fields, scene, task);
   read_task_work(fields, scene, task);
   task.whole = task.move >= 0 && fields.has("whole") && fields.truth("whole");
+  task.attributes = fields.texts("attributes");
   if (fields.has("not_before")) task.not_before = fields.time("not_before");
   if (fields.has("due")) task.due = fields.time("due");
   if (fields.has("baseline")) {
@@ -613,6 +625,7 @@ SceneTask read_task(const JsonFields& fields, Scene& scene) {
     spec.not_before = task.not_before;
     spec.due = task.due;
     spec.baseline = task.baseline;
+    spec.attributes = task.attributes;
     spec.whole = spec.move >= 0 && choice.has("whole") && choice.truth("whole");
   }
   return task;

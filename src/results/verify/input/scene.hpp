@@ -126,6 +126,9 @@ struct SceneRobot {
   std::optional<std::pair<SceneLaw, SceneLaw>> breakdown;  ///< hours of work between; repair
 };
 
+/// What the plan says for people: texts by key.
+using SceneAttributes = std::map<std::string, std::string>;
+
 struct SceneComponent {
   std::string name;
   Pose X_WO = Pose::Identity();
@@ -138,6 +141,7 @@ struct SceneComponent {
   std::vector<std::string> fixed_after = {};
   std::vector<std::string> braced_by = {};  ///< components
   bool has_brace_crew = false;
+  SceneAttributes attributes = {};
 };
 
 /// What moves by a timetable: its frame is at each place at its time, in between it goes straight
@@ -314,6 +318,14 @@ struct SceneGuide {
 /// By name.
 using SceneGuides = std::map<std::string, SceneGuide>;
 
+/// What a task that covers an area comes to; m and m2.
+struct SceneCover {
+  std::string area;
+  double thickness = 0;  ///< 0: not given
+  double covered = 0, covered_area = 0, length = 0, depth = 0;
+  int turns = 0, holes = 0;
+};
+
 /// A shaft or column of an area, in its frame (m), over which guides lead no tool.
 struct FloorHole {
   std::string name;  ///< "shaft 1"
@@ -336,8 +348,9 @@ struct SceneTask {
   std::optional<SceneDeviation> deviation;
   std::vector<std::pair<std::string, int>> entered;  ///< body, component that it may cut into
   SceneGuides guides = {};
-  double pace = 0;           ///< m/s of the tool where it works over a floor, at most; 0: none
-  double width = 0;          ///< m of its strips
+  double pace = 0;   ///< m/s of the tool where it works over a floor, at most; 0: none
+  double width = 0;  ///< m of its strips
+  std::optional<SceneCover> cover = {};
   std::optional<Pose> area;  ///< of a task that covers an area that is not level: its frame
   std::vector<FloorHole> holes = {};  ///< of one that guides lead from strip to strip
   double turn_radius = 0;             ///< m: its way has no narrower turn; 0: anything
@@ -361,6 +374,7 @@ struct SceneTask {
   std::string members;             ///< of a choice: names
   std::vector<SceneTask> choices;  ///< by pools
   int same_as = -1;                ///< the task whose members it has
+  SceneAttributes attributes = {};
 };
 
 /// Two things that are in each other at the beginning.

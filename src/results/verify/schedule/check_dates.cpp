@@ -45,6 +45,14 @@ void check_dates(const Scene& scene, const std::vector<ScheduleRow>& rows, Resul
       if (text.empty()) continue;
       faults.push_back({FaultKind::schedule, file, row.line, row.task, row.start, std::move(text)});
     }
+    if (!row.baseline || file != ResultFile::schedule_json) continue;
+    for (const std::string& text :
+         {mistake_of(scene, "begins", row.baseline_begins, row.baseline->first),
+          mistake_of(scene, "ends", row.baseline_ends, row.baseline->second)}) {
+      if (text.empty()) continue;
+      faults.push_back(
+          {FaultKind::schedule, file, row.line, row.task, row.start, "of its baseline " + text});
+    }
   }
 }
 

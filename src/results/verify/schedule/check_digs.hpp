@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "src/results/verify/replay/task_run.hpp"
+#include "src/results/verify/schedule/schedule_row.hpp"
 
 namespace rubicon::verify {
 
@@ -11,5 +13,12 @@ namespace rubicon::verify {
 /// the loads are held against what the least durations allow. The same of how long trucks drive and
 /// are served, where the trace tells it.
 void check_digs(const Trace& trace, const std::vector<TaskRun>& runs, Faults& faults);
+
+/// Whether what schedule.json and loads.csv tell of digs is what the rounds give: volumes, loads,
+/// times, queues, and what a m3 costs. Of rounds whose durations were drawn the queues are held
+/// against each other only. `loads`: nothing where there is no such file.
+void check_dig_rows(const Trace& trace, const std::vector<TaskRun>& runs,
+                    const std::vector<ScheduleRow>& rows,
+                    const std::optional<std::vector<LoadRow>>& loads, Faults& faults);
 
 }  // namespace rubicon::verify

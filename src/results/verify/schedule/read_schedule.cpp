@@ -86,6 +86,33 @@ class CsvReader {
   int line_ = 1;
 };
 
+/// A CSV text whose first row names the columns.
+class CsvTable {
+ public:
+  explicit CsvTable(const std::string& text) : reader_(text) {
+    if (!next()) throw UnreadableInput("1: expected a line of column names");
+    for (std::size_t i = 0; i < fields_.size(); ++i) columns_[fields_[i]] = i;
+  }
+
+  bool next() { return reader_.next(fields_, line_); }
+  int line() const { return line_; }
+  bool has(const char* name) const { return columns_.contains(name); }
+  /// Of the row: throws where there is no such column.
+  const std::string& field(const char* name) const {
+    const auto column = columns_.find(name);
+    if (column == columns_.end() || column->second >= fields_.size()) {
+      throw UnreadableInput(fmt::format("{}: expected a column '{}'", line_, name));
+    }
+    return fields_[column->second];
+  }
+
+ private:
+  CsvReader reader_;
+  std::vector<std::string> fields_;
+  std::map<std::string, std::size_t> columns_;
+  int line_ = 0;
+};
+
 /// Seconds in a table: moments of a plan lie within 126 years.
 constexpr double kLongestInTable = 4e9;
 /// Attempts in a table; more is none.
@@ -132,6 +159,51 @@ RowJoints read_joints(const JsonFields& fields) {
   return joints;
 }
 
+RowCover read_row_cover(const JsonFields& fields) {
+  const auto whole = [&](const char* name) {
+    return fields.has(name) ? std::optional(fields.integer(name)) : std::nullopt;
+  };
+  return {fields.text("area"),
+          number_if_any(fields, "covered"),
+          number_if_any(fields, "covered_area"),
+          number_if_any(fields, "volume"),
+          number_if_any(fields, "length"),
+          number_if_any(fields, "depth"),
+          whole("turns"),
+          whole("holes")};
+}
+
+std::int64_t count_of(const JsonFields& fields, const char* name) {
+  const Json& value = fields.any(name);
+  if (!value.is_number_integer()) fields.fail(fmt::format("a whole number as '{}'", name));
+  return value.get<std::int64_t>();
+}
+
+RowDig read_row_dig(const JsonFields& fields) {
+  RowDig dig;
+  dig.volume = fields.number("volume");
+  dig.tipped = fields.number("tipped");
+  dig.load = fields.number("load");
+  dig.loads = count_of(fields, "loads");
+  if (fields.has("passes")) dig.passes = count_of(fields, "passes");
+  dig.working = fields.time("working");
+  dig.per_hour = fields.number("per_hour");
+  dig.cost_per_m3 = number_if_any(fields, "cost_per_m3");
+  dig.fuel_per_m3 = number_if_any(fields, "fuel_per_m3");
+  dig.trucks = fields.integer("trucks");
+  dig.mean_loading = fields.number("mean_loading");
+  dig.mean_round = fields.number("mean_round");
+  dig.match_factor = fields.number("match_factor");
+  for (const Json& object : fields.array("queues")) {
+    const JsonFields queue(object, "a queue of a dig");
+    dig.queues.push_back({queue.text("stage"), queue.text("by"), queue.integer("servers"),
+                          count_of(queue, "served"), queue.number("mean_wait"),
+                          queue.time("longest_wait"), queue.number("mean_length"),
+                          queue.number("utilisation")});
+  }
+  return dig;
+}
+
 ScheduleRow read_row(const JsonFields& fields) {
   ScheduleRow row;
   row.task = fields.text("task");
@@ -163,9 +235,14 @@ ScheduleRow read_row(const JsonFields& fields) {
   if (fields.has("baseline")) {
     const JsonFields baseline = fields.object("baseline");
     row.baseline = std::pair(baseline.time("start"), baseline.time("finish"));
+    row.baseline_begins = baseline.text_or("begins", "");
+    row.baseline_ends = baseline.text_or("ends", "");
   }
+  row.attributes = fields.texts("attributes");
+  if (fields.has("dig")) row.dig = read_row_dig(fields.object("dig"));
   if (fields.has("cover")) {
     const JsonFields cover = fields.object("cover");
+    row.cover = read_row_cover(cover);
     if (cover.has("cold_joints")) row.joints = read_joints(cover.object("cold_joints"));
   }
   if (fields.has("float")) {
@@ -242,28 +319,24 @@ ScheduleJson read_schedule_json(const std::string& text) {
       }
     }
   }
+  if (schedule.has("components")) {
+    for (const Json& object : schedule.array("components")) {
+      const JsonFields fields(object, "a component");
+      read.components[fields.text("component")] = fields.texts("attributes");
+    }
+  }
   return read;
 }
 
 std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
-  CsvReader reader(text);
-  std::vector<std::string> fields;
-  int line = 0;
-  if (!reader.next(fields, line)) throw UnreadableInput("1: expected a line of column names");
-  std::map<std::string, std::size_t> columns;
-  for (std::size_t i = 0; i < fields.size(); ++i) columns[fields[i]] = i;
-  const auto field = [&](const char* name) {
-    const auto column = columns.find(name);
-    if (column == columns.end() || column->second >= fields.size()) {
-      throw UnreadableInput(fmt::format("{}: expected a column '{}'", line, name));
-    }
-    return fields[column->second];
-  };
+  CsvTable table(text);
+  const auto field = [&](const char* name) { return table.field(name); };
   const auto ticks = [&](const char* name) {
-    return ticks_of(number_in(field(name), line, kLongestInTable));
+    return ticks_of(number_in(field(name), table.line(), kLongestInTable));
   };
   std::vector<ScheduleRow> rows;
-  while (reader.next(fields, line)) {
+  while (table.next()) {
+    const int line = table.line();
     ScheduleRow row;
     row.line = line;
     row.task = field("task");
@@ -273,8 +346,8 @@ std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
     row.duration = ticks("duration");
     row.split = {ticks("motion"),          ticks("work"),           ticks("waited_predecessor"),
                  ticks("waited_resource"), ticks("waited_machine"), ticks("waited_shift")};
-    if (columns.contains("waited_repair")) row.split.repair = ticks("waited_repair");
-    if (columns.contains("thinking")) row.split.thinking = ticks("thinking");
+    if (table.has("waited_repair")) row.split.repair = ticks("waited_repair");
+    if (table.has("thinking")) row.split.thinking = ticks("thinking");
     if (!field("cost").empty()) row.cost = number_in(field("cost"), line, kLargestMoney);
     row.begins = field("begins");
     row.ends = field("ends");
@@ -289,7 +362,28 @@ std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
     }
     if (!field("total_float").empty())
       row.floats = RowFloat{ticks("total_float"), ticks("free_float"), 0, 0};
+    if (table.has("component_name")) {
+      row.texts =
+          RowTexts{field("name"), field("component"), field("component_name"), field("storey"),
+                   field("type"), field("guid"),      field("attributes")};
+    }
     rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<LoadRow> read_loads_csv(const std::string& text) {
+  std::vector<LoadRow> rows;
+  if (text.empty()) return rows;
+  CsvTable table(text);
+  const auto number = [&](const char* name) {
+    return number_in(table.field(name), table.line(), kLongestInTable);
+  };
+  while (table.next()) {
+    rows.push_back({table.line(), table.field("task"), table.field("by"),
+                    static_cast<std::int64_t>(number("load")),
+                    static_cast<std::int64_t>(number("truck")), number("arrived"), number("began"),
+                    number("loaded"), number("tipped"), number("volume")});
   }
   return rows;
 }

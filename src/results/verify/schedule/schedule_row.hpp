@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -40,6 +41,41 @@ struct RowJoints {
   std::vector<ColdJoint> places;
 };
 
+/// Columns of the CSV with what the plan says for people.
+struct RowTexts {
+  std::string name, component, component_name, storey, type, guid, attributes;
+};
+
+/// What a task that covers an area came to, in the JSON only.
+struct RowCover {
+  std::string area;
+  std::optional<double> covered, covered_area, volume, length, depth;
+  std::optional<int> turns, holes;
+};
+
+/// A queue of trucks.
+struct RowQueue {
+  std::string stage, by;
+  int servers = 0;
+  std::int64_t served = 0;
+  double mean_wait = 0;  ///< s
+  Ticks longest_wait = 0;
+  double mean_length = 0, utilisation = 0;
+};
+
+/// What came of the rounds of trucks, in the JSON only; m3.
+struct RowDig {
+  double volume = 0, tipped = 0, load = 0;
+  std::int64_t loads = 0;
+  std::optional<std::int64_t> passes;
+  Ticks working = 0;
+  double per_hour = 0;
+  std::optional<double> cost_per_m3, fuel_per_m3;
+  int trucks = 0;
+  double mean_loading = 0, mean_round = 0, match_factor = 0;
+  std::vector<RowQueue> queues;
+};
+
 /// One row of a schedule, as a file tells it.
 struct ScheduleRow {
   int line = 0;
@@ -56,7 +92,12 @@ struct ScheduleRow {
   int accepted = 0;
   std::optional<Ticks> due, late;
   std::optional<std::pair<Ticks, Ticks>> baseline;  ///< start, finish
+  std::string baseline_begins, baseline_ends;       ///< in the JSON only, as `begins`
+  std::map<std::string, std::string> attributes;    ///< in the JSON only
+  std::optional<RowTexts> texts;
   std::optional<RowFloat> floats;
+  std::optional<RowCover> cover;
+  std::optional<RowDig> dig;
   std::optional<RowJoints> joints;
 };
 
@@ -102,6 +143,17 @@ struct ScheduleJson {
   std::optional<double> fuel;                  ///< l
   std::vector<BreakdownRow> breakdowns;
   std::vector<LostDaysRecord> lost_days;
+  /// What the plan says of components, by their names.
+  std::map<std::string, std::map<std::string, std::string>> components;
+};
+
+/// One row of loads.csv; times in s, rounded to ms.
+struct LoadRow {
+  int line = 0;
+  std::string task, by;
+  std::int64_t number = 0, truck = 0;
+  double arrived = 0, began = 0, loaded = 0, tipped = 0;
+  double volume = 0;  ///< m3
 };
 
 /// Throws UnreadableInput.
@@ -109,5 +161,8 @@ ScheduleJson read_schedule_json(const std::string& text);
 
 /// The rows of schedule.csv; throws UnreadableInput. Columns that are not known are left out.
 std::vector<ScheduleRow> read_schedule_csv(const std::string& text);
+
+/// The rows of loads.csv; throws UnreadableInput.
+std::vector<LoadRow> read_loads_csv(const std::string& text);
 
 }  // namespace rubicon::verify
