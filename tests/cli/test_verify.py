@@ -1,6 +1,8 @@
 """rubicon verify: good results have no fault, and every fault that is seeded into them is found where it is."""
 
+import base64
 import collections
+import gzip
 import json
 import os
 import re
@@ -165,6 +167,18 @@ class Verify(unittest.TestCase):
                                       ("schedule.json", '"storey":"3"', '"storey":"7"', "the attributes of component wall")):
             with self.subTest(name=name, old=old):
                 self.expect_changed_is_found(folder, name, old, new, words)
+        # What the page shows, behind a head that is right.
+        path = os.path.join(folder, "report.html")
+        with open(path, encoding="utf-8") as file:
+            page = file.read()
+        begin = page.index('id="film">') + len('id="film">')
+        end = page.index("<", begin)
+        film = gzip.decompress(base64.b64decode(page[begin:end])).replace(b'"name":"Grout 1"', b'"name":"Grout 7"')
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(page[:begin] + base64.b64encode(gzip.compress(film)).decode() + page[end:])
+        result = rubicon("verify", folder)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("report.html: the schedule that it shows is not schedule.json", result.stdout)
 
     def test_figures_of_digs_and_floors_that_are_changed_are_found(self):
         folder = self.run_plan(os.path.join(ROOT, "examples", "19_dig_and_haul", "site.plan"))
