@@ -182,6 +182,8 @@ class HaulByMotion(ResultCase):
           task drive { by cart; go x 7; after trench; } }"""
         _, tasks = self.run_plan(text % -0.5, 1)
         self.assertIn("cart.cart meets the pit of trench", tasks["drive"]["reason"])
+        # a trolley on rails 6 m above it is no vehicle there
+        self.run_plan((text % -0.5).replace('"cart.robot"', '"cart.robot" at trans(0, 0, 6)'))
         # what is 0.15 m deep is driven over
         _, tasks = self.run_plan(text % -0.15)
         self.assertEqual(tasks["drive"]["result"], "done")

@@ -122,8 +122,12 @@ std::optional<std::string> SiteWorld::pit_met(int robot,
     if (!region->bounds.intersects(pit.around)) continue;
     const double z = pit.X_WE.translation().z();
     const bool is_over = has_cell_under(*region, pit.X_WE, now, [&](std::size_t cell) {
-      return pit.before->heights[cell] != pit.after->heights[cell] &&
-             z + static_cast<double>(now.heights[cell]) * 1e-3 < lowest;
+      const auto height = [&](const soil::Terrain& ground) {
+        return z + static_cast<double>(ground.heights[cell]) * 1e-3;
+      };
+      // What hangs over the ground as it was is no vehicle there.
+      return pit.before->heights[cell] != pit.after->heights[cell] && height(now) < lowest &&
+             height(*pit.before) >= lowest;
     });
     if (is_over) return pit.task;
   }

@@ -395,7 +395,9 @@ void write_heights(JsonBuilder& json, const char* key, const soil::Terrain& grou
 /// What a task leaves, cell by cell, for those who must not drive over it.
 void write_pit(JsonBuilder& json, const PlanModel& plan, const interpreter::DigSpec& dig) {
   json.key("pit").begin_object();
-  write_heights(json, "after", *dig.after, write_cells(json, plan, dig));
+  const std::vector<std::size_t> cells = write_cells(json, plan, dig);
+  write_heights(json, "before", *dig.before, cells);
+  write_heights(json, "after", *dig.after, cells);
   json.end_object();
 }
 

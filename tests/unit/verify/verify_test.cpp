@@ -23,7 +23,7 @@ std::vector<std::string> two_machines() { return test::sample_trace("two_machine
 Verdict verdict_of(const std::vector<std::string>& lines) {
   TraceReader reader;
   for (const std::string& line : lines) reader.line(line);
-  return verify(Result{reader.finish(), {}, {}, {}, {}});
+  return verify(Result{reader.finish(), {}, {}, {}, {}, {}});
 }
 
 /// Faults as "line kind: text".

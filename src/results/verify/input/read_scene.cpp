@@ -443,6 +443,7 @@ SceneDig read_dig(const JsonFields& fields, Scene& scene) {
     for (const Json& value : pit.array("cells")) {
       read.cells.push_back(integer_of(value, "'cells'", 0, 1'000'000'000));
     }
+    read.before = read_heights(pit, "before", read.cells.size());
     read.after = read_heights(pit, "after", read.cells.size());
   }
   if (fields.has("limit")) dig.limit = fields.time("limit");

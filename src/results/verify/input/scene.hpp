@@ -220,9 +220,9 @@ struct SceneStage {
 struct ScenePit {
   Pose X_WE = Pose::Identity();
   int columns = 1;
-  std::int64_t cell = 1;            ///< mm, its side
-  std::vector<int> cells;           ///< ascending
-  std::vector<std::int64_t> after;  ///< to each of them
+  std::int64_t cell = 1;                    ///< mm, its side
+  std::vector<int> cells;                   ///< ascending
+  std::vector<std::int64_t> before, after;  ///< to each of them
 };
 
 /// How a task digs; volumes in whole mm3.

@@ -339,7 +339,7 @@ class HaulReplay {
         lower[taken->cells[i]].emplace_back(record.time, taken->heights[i]);
       }
     }
-    check_pit(dug, {dig.X_WE, dig.columns, dig.cell, {}, {}}, lower);
+    check_pit(dug, {dig.X_WE, dig.columns, dig.cell, dig.cells, dig.before, {}}, lower);
   }
 
   /// No truck drives over the middle of a cell that was dug.
@@ -406,7 +406,13 @@ class HaulReplay {
         for (const auto& each : heights) {
           if (each.first <= leg.from) height = each.second;
         }
-        if (dig.X_WE.translation().z() + static_cast<double>(height) * 1e-3 < ground) return true;
+        const double z = dig.X_WE.translation().z();
+        if (z + static_cast<double>(height) * 1e-3 >= ground) continue;
+        // What hangs over the ground as it was does not drive there.
+        const auto known = std::lower_bound(dig.cells.begin(), dig.cells.end(), cell);
+        if (known == dig.cells.end() || *known != cell) continue;
+        const std::int64_t before = dig.before[static_cast<std::size_t>(known - dig.cells.begin())];
+        if (z + static_cast<double>(before) * 1e-3 >= ground) return true;
       }
     }
     return false;
