@@ -286,7 +286,9 @@ TEST(PlanCheck, ReadsTheFullForm) {
   ASSERT_EQ(
       full.said(),
       "  => 5:12: P36 warning: calendar 'site' says carry_over: the load of task 'set' may hang "
-      "on the hook beyond the end of a shift\n");
+      "on the hook beyond the end of a shift\n"
+      "  => 6:31: F15 warning: the surface of mesh 'cube.stl' is not closed: only the surface "
+      "itself is in the way, not what it encloses\n");
   const PlanModel& plan = *full.plan;
   EXPECT_FALSE(plan.short_form);
   EXPECT_EQ(plan.start_at, (schedule::CivilTime{{2026, 3, 2}, 7 * 60}));
