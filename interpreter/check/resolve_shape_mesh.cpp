@@ -49,7 +49,8 @@ std::optional<geometry::Solid> ShapeResolver::resolve_mesh(const syntax::Shape& 
     return std::nullopt;
   }
   const auto& mesh = std::get<std::shared_ptr<const geometry::TriangleMesh>>(result);
-  if (!mesh->closed && open_meshes_.insert(request->path).second) {
+  // Where something is wrong its options may be meant otherwise.
+  if (!mesh->closed && !diagnostics_.has_errors() && open_meshes_.insert(request->path).second) {
     diagnostics_.warning(
         "F15", shape.file.span,
         fmt::format(
