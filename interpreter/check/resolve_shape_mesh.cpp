@@ -49,8 +49,11 @@ std::optional<geometry::Solid> ShapeResolver::resolve_mesh(const syntax::Shape& 
     return std::nullopt;
   }
   const auto& mesh = std::get<std::shared_ptr<const geometry::TriangleMesh>>(result);
-  // Where something is wrong its options may be meant otherwise.
-  if (!mesh->closed && !diagnostics_.has_errors() && open_meshes_.insert(request->path).second) {
+  // Where something is wrong its options may be meant otherwise. What comes into the body of a
+  // robot crosses its surface.
+  const bool of_robot = naming_file_.ends_with(".robot");
+  if (!mesh->closed && !of_robot && !diagnostics_.has_errors() &&
+      open_meshes_.insert(request->path).second) {
     diagnostics_.warning(
         "F15", shape.file.span,
         fmt::format(

@@ -129,7 +129,11 @@ void check_schedules(const Result& result, const Trace& trace, const std::vector
     check_chance(trace, schedule, faults);
     check_texts(trace.scene, schedule, faults);
     std::optional<std::vector<LoadRow>> loads;
-    if (result.loads_csv) {
+    // In the folder of a result without loads a file of that name is somebody else's.
+    const bool has_loads =
+        std::any_of(trace.scene.tasks.begin(), trace.scene.tasks.end(),
+                    [](const SceneTask& task) { return task.dig || task.motion_dig || task.haul; });
+    if (result.loads_csv && has_loads) {
       loads = read_file("loads.csv", [&] { return read_loads_csv(*result.loads_csv); });
     }
     check_dig_rows(trace, runs, schedule.rows, loads, faults);
