@@ -287,27 +287,29 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
 
   const std::vector<int> even = steered(named);
   const std::vector<double> whole = change_between(q, q_end);
-  std::optional<GoalChain> without_even;
-  GoalClauses clauses = clauses_;
-  if (!even.empty()) {
+  const auto clauses_without_even = [&] {
+    GoalClauses clauses = clauses_;
     clauses.locked.insert(clauses.locked.end(), even.begin(), even.end());
     std::sort(clauses.locked.begin(), clauses.locked.end());
-    without_even.emplace(model_, clauses);
-  }
+    return clauses;
+  };
+  std::optional<GoalChain> without_even;
+  if (!even.empty()) without_even.emplace(model_, clauses_without_even());
   const GoalChain& chain = without_even ? *without_even : *chain_;
   // An arm that moves alone has a formula; where that leads nowhere the search says how near it is.
   std::optional<ArmFormula> arm;
-  const auto solve = [&](double part) {
+  const auto solve_on = [&](const GoalChain& searched, double part, bool by_formula) {
     std::vector<double> q_even(q.begin(), q.end());
     for (const int i : even) q_even[at(i)] += part * whole[at(i)];
-    const GoalProblem problem(chain, mounting_, q_even, way.at(part));
-    if (arm) {
+    const GoalProblem problem(searched, mounting_, q_even, way.at(part));
+    if (by_formula) {
       if (auto known = arm->solve(problem)) return std::pair(true, std::move(known->q));
     }
     GoalState state = damped_least_squares(problem, problem.at(q_even), problem.variables().size(),
                                            GoalPart::pose);
     return std::pair(problem.solved(state), std::move(state.q));
   };
+  const auto solve = [&](double part) { return solve_on(chain, part, arm.has_value()); };
   // Why nothing leads to `part` of the way; `nearest`: the configuration that comes nearest to it.
   const auto why_not = [&](double part, const std::vector<double>& nearest) -> Step {
     if (const int limit = barring(q, nearest); limit >= 0) return {Step::Kind::limit, limit};
@@ -320,13 +322,8 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
       RobotModel wider = model_;
       wider.parameters[at(i)].lower -= kBeyondRange;
       wider.parameters[at(i)].upper += kBeyondRange;
-      const GoalChain chain_beyond(wider, clauses);
-      std::vector<double> q_even(q.begin(), q.end());
-      for (const int k : even) q_even[at(k)] += part * whole[at(k)];
-      const GoalProblem problem(chain_beyond, mounting_, q_even, way.at(part));
-      const GoalState state = damped_least_squares(problem, problem.at(q_even),
-                                                   problem.variables().size(), GoalPart::pose);
-      if (problem.solved(state)) return {Step::Kind::limit, i};
+      const GoalChain beyond(wider, clauses_without_even());
+      if (solve_on(beyond, part, false).first) return {Step::Kind::limit, i};
     }
     return {Step::Kind::none, -1};
   };
