@@ -21,6 +21,8 @@ class NearestIndex {
       : weights_(std::move(weights)), turns_(std::move(turns)) {}
 
   void add(std::span<const double> point);
+  /// Its coordinates, one after the other.
+  const double* point(std::size_t i) const { return points_.data() + i * weights_.size(); }
 
   /// The number of the point with the least `square(i)`, the first of equal ones; -1 if there is
   /// none. `square(i)` is the square of the distance of point i from `point`.
@@ -78,9 +80,7 @@ class NearestIndex {
   void build(Tree& tree, int first, int last);
   /// No point of the node is nearer, but for rounding, which is on the safe side.
   double square_to(const Tree& tree, int node, std::span<const double> point) const;
-  double coordinate(int point, std::size_t d) const {
-    return points_[static_cast<std::size_t>(point) * weights_.size() + d];
-  }
+  double coordinate(int i, std::size_t d) const { return point(static_cast<std::size_t>(i))[d]; }
 
   std::vector<double> weights_, turns_;
   std::vector<double> points_;  ///< one after the other

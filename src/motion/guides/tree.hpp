@@ -28,7 +28,6 @@ class Tree {
   }
 
   int add(Point point, int parent) {
-    coordinates_.insert(coordinates_.end(), point.begin(), point.end());
     reduced_ = reduced_ && is_reduced(point);
     if (reduced_ && !space_.leg().steers()) index_.add(point);
     points_.push_back(std::move(point));
@@ -106,7 +105,7 @@ class Tree {
   /// The square of the distance from a node, both reduced: what `Space::offset` says, without
   /// branches.
   double square_of_way(std::size_t node, std::span<const double> point) const {
-    const double* own = coordinates_.data() + node * point.size();
+    const double* own = index_.point(node);
     double sum = 0;
     for (std::size_t d = 0; d < point.size(); ++d) {
       double way = point[d] - own[d];
@@ -132,11 +131,10 @@ class Tree {
 
   const Space& space_;
   std::vector<double> weights_;
-  std::vector<double> half_turns_;   ///< of an angle that turns freely; else infinite
-  std::vector<double> turns_;        ///< else 0
-  std::vector<double> coordinates_;  ///< of all points, one after the other
-  bool reduced_ = true;              ///< all points are
-  NearestIndex index_{{}, {}};       ///< of points that are reduced
+  std::vector<double> half_turns_;  ///< of an angle that turns freely; else infinite
+  std::vector<double> turns_;       ///< else 0
+  bool reduced_ = true;             ///< all points are
+  NearestIndex index_{{}, {}};      ///< of points that are reduced
   std::vector<Point> points_;
   std::vector<int> parents_;
 };
