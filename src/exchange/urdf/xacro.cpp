@@ -594,7 +594,10 @@ class Expander {
       const std::string& value = argument(std::string(name.substr(1, name.size() - 2)));
       const bool is_text = std::holds_alternative<std::string>(literal_value(value));
       if (is_text && value.find_first_of("'\\") != std::string::npos) {
-        throw ExpressionError{fmt::format("the text {} cannot stand in an expression", value)};
+        throw ExpressionError{
+            fmt::format("the argument '{}' has a quote or a backslash, which cannot stand in an "
+                        "expression",
+                        shortened(std::string(name)))};
       }
       result += expression.substr(done, at - done);
       result += is_text ? "'" + value + "'" : "(" + value + ")";
