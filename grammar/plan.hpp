@@ -146,10 +146,18 @@ struct lost_months
 struct lost_key : token<word<exact<"lost">>> {};
 struct lost_share : quantity {};
 struct lost_shift : if_must<lost_key, opt<lost_months>, lost_share, plan_semicolon> {};
-/// Items of a plan: before one of these the '}' of the calendar is missing.
-struct not_a_day : word<sor<exact<"calendar">, exact<"robot">, exact<"crew">, exact<"pool">,
-                            exact<"component">, exact<"site">, exact<"task">, exact<"situation">,
-                            exact<"parameter">, exact<"budget">, exact<"start_at">>> {};
+/// Items of a plan (as messages.hpp lists them; what begins with another stands before it): before
+/// one of these the '}' of the calendar is missing.
+struct not_a_day
+    : word<sor<exact<"component">, exact<"robot">, exact<"crew">, exact<"pool">, exact<"overhead">,
+               exact<"task">, exact<"module">, exact<"place">, exact<"import">, exact<"site">,
+               exact<"storage">, exact<"moving">, exact<"area">, exact<"earth">, exact<"network">,
+               exact<"fleet">, exact<"contact">, exact<"budget">, exact<"start_at">,
+               exact<"currency">, exact<"calendar">, exact<"situation">, exact<"start">,
+               exact<"goal">, exact<"via">, exact<"carry">, exact<"within">, exact<"free">,
+               exact<"near">, exact<"lock">, exact<"enter">, exact<"deviation">, exact<"touching">,
+               exact<"guide">, exact<"parameter">, exact<"for">, exact<"when">, exact<"whole">,
+               exact<"support">>> {};
 struct first_day : seq<not_at<not_a_day>, name> {};
 struct last_day : name {};
 struct day_shift : if_must<first_day, opt<if_must<minus_sign, last_day>>, shift_time,

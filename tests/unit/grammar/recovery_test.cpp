@@ -61,6 +61,13 @@ TEST(Recovery, AMissingBraceIsOneMistakeWhateverStandsBehindIt) {
               "}\n"),
       ElementsAre(
           "3:3: error: 'crew' does not belong into this calendar; is a '}' missing before it?"));
+  EXPECT_THAT(in_plan("plan p {\n"
+                      "  calendar day { mon-fri 07:00-12:00;\n"
+                      "  start_at \"2026-03-02 07:00\";\n"
+                      "  earth e { grid 2, 2; }\n"
+                      "}\n"),
+              ElementsAre("3:3: error: 'start_at' does not belong into this calendar; is a '}' "
+                          "missing before it?"));
   EXPECT_THAT(
       in_robot("robot gantry {\n"
                "  body bridge { param x step(1); frame trans(x, 0, 0);\n"
