@@ -24,7 +24,9 @@ void each_line(const std::string& text, Take take) {
 void replay(const std::string& text) {
   rubicon::verify::TraceReader reader;
   each_line(text, [&](const std::string& line) { reader.line(line); });
-  rubicon::verify::verify({reader.finish(), std::nullopt, std::nullopt, {}, std::nullopt});
+  rubicon::verify::Result result;
+  result.trace = reader.finish();
+  rubicon::verify::verify(result);
 }
 
 void film(const std::string& text) {
