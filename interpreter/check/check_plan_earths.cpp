@@ -28,8 +28,11 @@ constexpr double kMostAbove = 4e9;
 constexpr std::size_t kMostBlocks = 20'000;
 /// Below the lowest of the ground there is so much of it still, mm.
 constexpr soil::Millimetres kGroundBelow = 1000;
-/// Corners of a round pit.
-constexpr int kRound = 64;
+/// A round pit has so many corners at least and at most; up to the most its sides are no farther
+/// inside the circle than this, m: cells are told apart by whole mm.
+constexpr int kLeastRound = 64;
+constexpr int kMostRound = 1024;
+constexpr double kRoundGap = 0.5e-3;
 
 soil::Millimetres in_mm(double metres) {
   return static_cast<soil::Millimetres>(std::llround(metres * 1e3));
@@ -190,8 +193,12 @@ std::optional<PlanView> plan_view(const geometry::Solid& solid) {
   const auto* cylinder = std::get_if<geometry::Cylinder>(&solid);
   if (cylinder == nullptr) return std::nullopt;
   PlanView round{{}, std::min(cylinder->z0, cylinder->z1)};
-  for (int i = 0; i < kRound; ++i) {
-    const double angle = 360.0 * i / kRound;
+  // The middle of a side is r (1 - cos(pi / n)), about r pi^2 / (2 n^2), inside.
+  const double corners = std::numbers::pi * std::sqrt(cylinder->radius / (2 * kRoundGap));
+  const int count = std::clamp(static_cast<int>(std::ceil(std::min<double>(corners, kMostRound))),
+                               kLeastRound, kMostRound);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 360.0 * i / count;
     round.outline.emplace_back(cylinder->radius * math::cos_deg(angle),
                                cylinder->radius * math::sin_deg(angle));
   }

@@ -177,7 +177,8 @@ class TaskChecker {
     }
   }
 
-  /// So many of a crew, wherever it works in the task; if it is named nowhere, for all of it.
+  /// So many of a crew, wherever it works in the task; if it is named nowhere, for all of it. Of a
+  /// member of a pool in `by` only if it is the one that the task has.
   void check_needs(const syntax::NeedsItem& item) {
     for (const syntax::NeedsItem::Need& need : item.needs) {
       const int crew = needed_crew(need.crew);
@@ -198,9 +199,19 @@ class TaskChecker {
                        fmt::format("how many of '{}' it needs is given twice", spec.name));
         continue;
       }
+      if (!works(crew) && may_be_chosen(crew)) continue;
       task_.needs.push_back({crew, static_cast<int>(people)});
       if (!works(crew)) task_.crews.push_back(crew);
     }
+  }
+
+  /// Of a pool that the task has one of; this choice has another.
+  bool may_be_chosen(int crew) const {
+    return std::any_of(scope_.members.begin(), scope_.members.end(), [&](const PoolMember& member) {
+      const PoolSpec& pool = subject_.model.pools[static_cast<std::size_t>(member.pool)];
+      return !pool.of_robots &&
+             std::find(pool.members.begin(), pool.members.end(), crew) != pool.members.end();
+    });
   }
 
   int needed_crew(const syntax::Name& name) {

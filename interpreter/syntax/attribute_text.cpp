@@ -32,6 +32,9 @@ bool is_control(char32_t code) {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028 || code == 0x2029;
 }
 
+/// The two that XML does not allow, so that no exported schedule could hold them.
+bool is_no_character(char32_t code) { return code == 0xfffe || code == 0xffff; }
+
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(' ') == std::string_view::npos;
 }
@@ -53,7 +56,7 @@ std::string written_attribute(std::string_view text) {
   for (std::size_t count = 0; !text.empty() && count < kMaxCharacters; ++count) {
     const Utf8Character next = utf8_character(text);
     const std::size_t length = std::max<std::size_t>(next.length, 1);
-    if (next.length == 0 || is_control(next.code)) {
+    if (next.length == 0 || is_control(next.code) || is_no_character(next.code)) {
       written += ' ';
     } else if (text.front() == '"') {
       written += "&quot;";
@@ -76,6 +79,9 @@ std::string attribute_mistake(std::string_view text) {
     const Utf8Character next = utf8_character(text);
     if (is_control(next.code)) {
       return fmt::format("has the control character U+{:04X}", static_cast<unsigned>(next.code));
+    }
+    if (is_no_character(next.code)) {
+      return fmt::format("has U+{:04X}, which is no character", static_cast<unsigned>(next.code));
     }
     text.remove_prefix(std::max<std::size_t>(next.length, 1));
   }

@@ -212,6 +212,15 @@ class Earthwork(ResultCase):
         _, tasks = self.run_plan(self.pit("dig ground to box(3, 3, -0.75, 7, 7, 1)"), 1)
         self.assertIn("footing meets ground", tasks["place"]["reason"])
 
+    def test_a_round_pit(self):
+        # Its outline is no more than half a millimetre inside the circle.
+        text = self.pit("dig ground to cylinder(4.8, -1, 1)", earth="height 0 m; stands 90 deg; at trans(-5, -5, 0);", after="")
+        _, tasks = self.run_plan(text.replace("grid 40, 40; cell 0.25 m", "grid 200, 200; cell 0.05 m"), None)
+        middles = [(i + 0.5) * 0.05 - 5 for i in range(200)]
+        least, most = (sum(math.hypot(x, y) < radius for x in middles for y in middles) * 0.0025 for radius in (4.7995, 4.8))
+        self.assertGreaterEqual(tasks["dig_pit"]["dig"]["volume"], least - 1e-9)
+        self.assertLessEqual(tasks["dig_pit"]["dig"]["volume"], most + 1e-9)
+
     def test_pits_that_meet_share_the_soil(self):
         deeper = "task deeper { by digger; %s dig ground to box(4, 4, -2, 6, 6, 1) { load trucks takes 2 min; bed 8 m3; tip takes 1 min; } }"
         # Nobody digs under what stands.

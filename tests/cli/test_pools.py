@@ -152,6 +152,19 @@ class Pools(ResultCase):
         self.assertEqual(self.starts(tasks), {"go": 0, "a": at, "b": at, "c": at + 600})
         self.assertAlmostEqual(schedule["resources"][1]["held"], 600 * 2 / 3 + 600 / 3 + 300 * 2 / 3)
 
+    def test_needs_of_who_is_chosen_from_a_pool(self):
+        # 1 of a, or 3 of b: never both. Two tasks share a; the third has b, and who comes after it has the same.
+        _, tasks = self.run_plan("""plan p {
+          crew a { size 2; cost 20 per h; } crew b { size 4; cost 80 per h; } crew c { size 3; cost 30 per h; }
+          pool q { of a, b; }
+          task t1 { by q; takes 1 h; needs 1 a, 3 b; }
+          task t2 { by q; takes 1 h; needs 1 a, 3 b, 2 c; }
+          task t3 { by q; takes 1 h; needs 2 a, 3 b; }
+          task t4 { by same as t3; takes 1 h; needs 2 a, 1 b; after t3; }
+        }""")
+        self.assertEqual({name: (task["crew"], task["start"], task["cost"]) for name, task in tasks.items()},
+                         {"t1": ("a", 0, 10), "t2": ("a, c", 0, 30), "t3": ("b", 0, 60), "t4": ("b", 3600, 20)})
+
     def test_verify_finds_an_overdrawn_crew(self):
         for plan in (SHARES, SITE):
             self.run_plan(plan)
