@@ -3,7 +3,10 @@
 // seven kinds of scenes. Then what the test of an edge costs, and how that grows with what is far
 // away; and whether looks along legs say what the test of them says. Processor time on one core.
 //
-//   ways_bench [excavator|cases|arm|edges|legs]... [--problems N]     in the project's folder
+//   ways_bench [excavator|cases|arm|edges|legs]... [--problems N] [--ours]     in the project's
+//   folder
+//
+// --ours leaves OMPL out: for profiles.
 
 #include <fmt/format.h>
 #include <time.h>
@@ -159,7 +162,7 @@ void add_ompl(Tally& tally, const Chain& chain, const ChainProblem& problem, dou
             !way.points.empty() && bench::meets(world, way.points, dense));
 }
 
-void excavator(int problems) {
+void excavator(int problems, int of_ompl) {
   const Chain chain = bench::digging_excavator();
   constexpr double kDense = 0.0286;  // degrees: 0.0005 rad
   for (const bool moved : {false, true}) {
@@ -176,7 +179,7 @@ void excavator(int problems) {
       if (!problem) continue;
       ++made;
       add_ours(ours, chain, *problem, seed, kDense);
-      if (made > 500) continue;
+      if (made > of_ompl) continue;
       for (auto& [resolution, tally] : ompl) {
         add_ompl(tally, chain, *problem, resolution, seed, kDense);
       }
@@ -215,7 +218,7 @@ void cases() {
   }
 }
 
-void arm(int problems) {
+void arm(int problems, int of_ompl) {
   const Chain chain = bench::seven_axis_arm();
   constexpr double kDense = 0.1;
   Tally all_ours;
@@ -230,6 +233,7 @@ void arm(int problems) {
       if (!problem) continue;
       ++made;
       for (Tally* tally : {&ours, &all_ours}) add_ours(*tally, chain, *problem, seed, kDense);
+      if (made > of_ompl) continue;
       for (Tally* tally : {&ompl, &all_ompl}) add_ompl(*tally, chain, *problem, 0.01, seed, kDense);
     }
     fmt::print("{}\n{}{}  ratio of medians {:.2f}\n", scene, ours.row("ours, rrt_connect"),
@@ -354,9 +358,12 @@ void legs() {
 int main(int count, char** words) {
   std::vector<std::string> asked;
   int problems = 20;
+  int of_ompl = 500;
   for (int i = 1; i < count; ++i) {
     if (std::string(words[i]) == "--problems" && i + 1 < count) {
       problems = std::max(1, std::atoi(words[++i]));
+    } else if (std::string(words[i]) == "--ours") {
+      of_ompl = 0;
     } else {
       asked.emplace_back(words[i]);
     }
@@ -367,6 +374,6 @@ int main(int count, char** words) {
   if (wanted("edges")) edges();
   if (wanted("legs")) legs();
   if (wanted("cases")) cases();
-  if (wanted("excavator")) excavator(problems);
-  if (wanted("arm")) arm(problems);
+  if (wanted("excavator")) excavator(problems, of_ompl);
+  if (wanted("arm")) arm(problems, of_ompl);
 }

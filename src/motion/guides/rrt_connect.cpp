@@ -93,14 +93,12 @@ class Connector {
   /// A sample and the node nearest to it, in whose domain it lies.
   std::pair<Point, int> draw(Side& side) {
     side.domains.resize(side.tree.size(), std::numeric_limits<double>::infinity());
+    Point sample;
     for (int n = 1;; ++n) {
-      Point sample = space_.sample(random_);
-      const int nearest = side.tree.nearest(sample);
-      const double domain = side.domains[static_cast<std::size_t>(nearest)];
-      if (n == kMostDraws || std::isinf(domain) ||
-          space_.distance(side.tree.point(nearest), sample) <= domain) {
-        return {std::move(sample), nearest};
-      }
+      space_.sample(random_, sample);
+      const Tree::Near nearest = side.tree.nearest(sample);
+      const double domain = side.domains[static_cast<std::size_t>(nearest.node)];
+      if (n == kMostDraws || nearest.distance <= domain) return {std::move(sample), nearest.node};
     }
   }
 
@@ -149,7 +147,7 @@ class Connector {
 
   /// Goes on from the nearest node until it is at the target or stuck; the node there, or -1.
   int connect(Tree& tree, const Point& target, bool forward) {
-    Extended reached{tree.nearest(target), false};
+    Extended reached{tree.nearest(target).node, false};
     while (!full() && !reached.stuck) {
       reached = extend(tree, reached.node, target, forward);
       if (reached.node < 0) return -1;

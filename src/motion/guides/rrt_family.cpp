@@ -79,13 +79,13 @@ class Growth {
   }
 
   std::optional<int> extend_once(const Point& target) {
-    if (!grow(tree_.nearest(target), target)) return std::nullopt;
+    if (!grow(tree_.nearest(target).node, target)) return std::nullopt;
     if (reach_goal(last())) return last();
     return std::nullopt;
   }
 
   std::optional<int> extend_to_goal() {
-    int from = tree_.nearest(goal_);
+    int from = tree_.nearest(goal_).node;
     while (!full() && !space_.spent()) {
       if (reach_goal(from)) return last();
       if (!grow(from, goal_)) {
@@ -99,7 +99,7 @@ class Growth {
   }
 
   std::optional<int> extend_greedily(const Point& target) {
-    int from = tree_.nearest(target);
+    int from = tree_.nearest(target).node;
     for (int i = 0; i < static_cast<int>(spec_.greed) && !full() && !space_.spent(); ++i) {
       if (!grow(from, target)) {
         note_refusal(from, target);
@@ -156,7 +156,7 @@ class Growth {
   /// Steps of the parameter that is farthest from the target, as long as they lead past neither it
   /// nor away from the goal (our reading of AlBahnassi's RRTBiasedLimCon, PLANNERS 5.4).
   std::optional<int> extend_one_parameter(const Point& target) {
-    int from = tree_.nearest(target);
+    int from = tree_.nearest(target).node;
     std::size_t moved = 0;
     double farthest = 0;
     for (std::size_t i = 0; i < space_.size(); ++i) {

@@ -115,10 +115,15 @@ double Space::lower(std::size_t i) const { return parameter(i).cyclic ? -180 : p
 double Space::upper(std::size_t i) const { return parameter(i).cyclic ? 180 : parameter(i).upper; }
 
 Point Space::sample(Random& random) const {
-  Point result(size());
-  for (std::size_t i = 0; i < size(); ++i) result[i] = random.between(lower(i), upper(i));
-  make_kept(result);
+  Point result;
+  sample(random, result);
   return result;
+}
+
+void Space::sample(Random& random, Point& point) const {
+  point.resize(size());
+  for (std::size_t i = 0; i < size(); ++i) point[i] = random.between(lower(i), upper(i));
+  make_kept(point);
 }
 
 Point Space::sample_about(std::span<const double> goal, double concentration,

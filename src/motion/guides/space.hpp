@@ -136,6 +136,8 @@ class Space {
   Point moved(std::span<const double> a, std::span<const double> offsets) const;
 
   Point sample(Random& random) const;
+  /// The same, into a point that is there.
+  void sample(Random& random, Point& point) const;
   /// With the goal as its mean in each coordinate (Langari 2015, 3.3.2).
   Point sample_about(std::span<const double> goal, double concentration, Random& random) const;
 

@@ -17,13 +17,15 @@ namespace rubicon::guides {
 class Tree {
  public:
   Tree(const Space& space, Point root) : space_(space) {
+    std::vector<double> weights;
+    std::vector<double> turns;
     for (std::size_t d = 0; d < root.size(); ++d) {
       const bool cyclic = space.parameter(d).cyclic;
-      weights_.push_back(space.weight(d));
+      weights.push_back(space.weight(d));
+      turns.push_back(cyclic ? math::kTurn_deg : 0);
       half_turns_.push_back(cyclic ? math::kHalfTurn_deg : std::numeric_limits<double>::infinity());
-      turns_.push_back(cyclic ? math::kTurn_deg : 0);
     }
-    index_ = NearestIndex(weights_, turns_);
+    index_ = NearestIndex(std::move(weights), std::move(turns));
     add(std::move(root), -1);
   }
 
@@ -38,22 +40,26 @@ class Tree {
   const Point& point(int node) const { return points_[static_cast<std::size_t>(node)]; }
   int parent(int node) const { return parents_[static_cast<std::size_t>(node)]; }
 
+  struct Near {
+    int node = 0;
+    double distance = std::numeric_limits<double>::infinity();
+  };
   /// Of equally near nodes the first.
-  int nearest(std::span<const double> point) const {
+  Near nearest(std::span<const double> point) const {
     if (space_.leg().steers()) return nearest_steered(point);
     if (reduced_ && is_reduced(point)) {
-      return index_.nearest(
-          point, [&](int i) { return square_of_way(static_cast<std::size_t>(i), point); });
+      const NearestIndex::Found found = index_.nearest(point);
+      return {found.index, std::sqrt(found.square)};
     }
-    int best = 0;
+    Near near;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double sum = square_of_any_way(i, point);
+      const double sum = square_of_way(i, point);
       if (sum >= least) continue;
       least = sum;
-      best = static_cast<int>(i);
+      near = {static_cast<int>(i), std::sqrt(sum)};
     }
-    return best;
+    return near;
   }
 
   /// Its legs, parent first, behind those of others.
@@ -81,9 +87,8 @@ class Tree {
 
   /// By the ways that a vehicle steers. None is shorter than the straight line between two places:
   /// where that is farther than the nearest so far the way is not looked for.
-  int nearest_steered(std::span<const double> point) const {
-    int best = 0;
-    double least = std::numeric_limits<double>::infinity();
+  Near nearest_steered(std::span<const double> point) const {
+    Near near;
     const std::vector<int>& parameters = space_.leg().parameters();
     const auto place = space_.leg().place();
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -93,31 +98,14 @@ class Tree {
         const double off = (point[d] - points_[i][d]) * kWeightOfPlace;
         square += off * off;
       }
-      if (std::sqrt(square) >= least) continue;
+      if (std::sqrt(square) >= near.distance) continue;
       const double distance = space_.distance(points_[i], point);
-      if (distance >= least) continue;
-      least = distance;
-      best = static_cast<int>(i);
+      if (distance < near.distance) near = {static_cast<int>(i), distance};
     }
-    return best;
+    return near;
   }
 
-  /// The square of the distance from a node, both reduced: what `Space::offset` says, without
-  /// branches.
   double square_of_way(std::size_t node, std::span<const double> point) const {
-    const double* own = index_.point(node);
-    double sum = 0;
-    for (std::size_t d = 0; d < point.size(); ++d) {
-      double way = point[d] - own[d];
-      way -= way > half_turns_[d] ? turns_[d] : 0.0;
-      way += way <= -half_turns_[d] ? turns_[d] : 0.0;
-      const double off = way * weights_[d];
-      sum += off * off;
-    }
-    return sum;
-  }
-
-  double square_of_any_way(std::size_t node, std::span<const double> point) const {
     double sum = 0;
     for (std::size_t d = 0; d < point.size(); ++d) {
       const double off = space_.offset(points_[node], point, d);
@@ -130,9 +118,7 @@ class Tree {
   static constexpr double kWeightOfPlace = 10;
 
   const Space& space_;
-  std::vector<double> weights_;
   std::vector<double> half_turns_;  ///< of an angle that turns freely; else infinite
-  std::vector<double> turns_;       ///< else 0
   bool reduced_ = true;             ///< all points are
   NearestIndex index_{{}, {}};      ///< of points that are reduced
   std::vector<Point> points_;

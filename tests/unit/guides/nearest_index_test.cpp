@@ -26,7 +26,7 @@ void check_against_all(const std::vector<double>& weights, const std::vector<dou
     return point;
   };
   NearestIndex index(weights, turns);
-  EXPECT_EQ(index.nearest(draw(), [](int) { return 0.0; }), -1);
+  EXPECT_EQ(index.nearest(draw()).index, -1);
   std::vector<std::vector<double>> points;
   for (int n = 0; n < 1500; ++n) {
     points.push_back(draw());
@@ -38,7 +38,8 @@ void check_against_all(const std::vector<double>& weights, const std::vector<dou
         for (std::size_t d = 0; d < from.size(); ++d) {
           double way = std::fabs(from[d] - points[static_cast<std::size_t>(i)][d]);
           if (turns[d] > 0) way = std::min(way, turns[d] - way);
-          sum += way * weights[d] * way * weights[d];
+          const double off = way * weights[d];
+          sum += off * off;
         }
         return sum;
       };
@@ -46,7 +47,9 @@ void check_against_all(const std::vector<double>& weights, const std::vector<dou
       for (int i = 1; i <= n; ++i) {
         if (square(i) < square(nearest)) nearest = i;
       }
-      ASSERT_EQ(index.nearest(from, square), nearest) << n;
+      const NearestIndex::Found found = index.nearest(from);
+      ASSERT_EQ(found.index, nearest) << n;
+      ASSERT_EQ(found.square, square(nearest)) << n;
     }
   }
 }
