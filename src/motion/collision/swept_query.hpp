@@ -123,6 +123,9 @@ class CollisionWorld {
   void remove(ObstacleId id);
   /// Inserts an obstacle that was removed again under the id, and so the rank, that it had.
   void put_back(ObstacleId id, BodyPtr body, const Pose& X_WB);
+  /// Another body, or another pose, for an obstacle that stands: as if it were removed and put
+  /// back.
+  void replace(ObstacleId id, BodyPtr body, const Pose& X_WB);
 
   SweptResult test(const SweptQuery& query) const;
   /// The same answer, sooner where the bodies are far from everything.

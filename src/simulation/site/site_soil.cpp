@@ -208,11 +208,15 @@ void SiteWorld::set_piece(const Component& component, Soil& soil, int piece) {
   const std::vector<geometry::Shape> shapes =
       boxes_of(soil::blocks_between(under, above), first_column, first_row, cell);
   std::optional<collision::ObstacleId>& id = soil.ids[at(piece)];
-  if (soil.stands[at(piece)]) erase(*id);
-  soil.stands[at(piece)] = component.standing && !shapes.empty();
-  if (!soil.stands[at(piece)]) return;
+  const bool stood = soil.stands[at(piece)];
+  const bool stands = component.standing && !shapes.empty();
+  soil.stands[at(piece)] = stands;
+  if (stood && !stands) erase(*id);
+  if (!stands) return;
   collision::BodyPtr body = collision::prepare(shapes);
-  if (id) {
+  if (stood) {
+    obstacles_.replace(*id, std::move(body), component.X_WO);
+  } else if (id) {
     obstacles_.put_back(*id, std::move(body), component.X_WO);
     names_[*id] = component.name;
   } else {

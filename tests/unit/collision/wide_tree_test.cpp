@@ -79,6 +79,16 @@ TEST(WideTree, FindsWhatAScanFindsWhileItChanges) {
       free_items.push_back(victim->first);
       items.erase(victim);
     }
+    // Another box for one of them: smaller, somewhat larger, or elsewhere.
+    if (!items.empty() && random.unit() < 0.5) {
+      auto changed = items.begin();
+      std::advance(changed, random.below(static_cast<int>(items.size())));
+      const int way = random.below(3);
+      Bounds& bounds = changed->second;
+      if (way < 2) bounds.grow((way == 0 ? -0.3 : 0.05) * bounds.half());
+      if (way == 2) bounds = random_bounds(random, 20, 3);
+      tree.replace(changed->first, bounds);
+    }
     ASSERT_EQ(tree.size(), static_cast<int>(items.size()));
     if (round % 10 == 0) expect_agreement(tree, items, random_bounds(random, 20, 5));
   }

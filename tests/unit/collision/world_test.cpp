@@ -61,6 +61,26 @@ TEST(CollisionWorld, IdsAreNeverUsedAgain) {
   EXPECT_FALSE(world.blocked_at(*cube, at(0, 0, 0), 1e-3, {}));
 }
 
+TEST(CollisionWorld, AReplacedObstacleKeepsItsId) {
+  const BodyPtr cube = box(Vec3::Constant(0.5));
+  CollisionWorld world;
+  const ObstacleId id = world.insert(cube, at(0, 0, 0));
+  const ObstacleId other = world.insert(cube, at(9, 0, 0));
+  // Smaller, then much larger, then elsewhere.
+  world.replace(id, box(Vec3::Constant(0.1)), at(0, 0, 0));
+  EXPECT_FALSE(world.blocked_at(*cube, at(0.7, 0, 0), 1e-3, {}));
+  EXPECT_EQ(world.blocked_at(*cube, at(0.5, 0, 0), 1e-3, {}), id);
+  world.replace(id, box(Vec3::Constant(3)), at(0, 0, 0));
+  EXPECT_EQ(world.blocked_at(*cube, at(3.4, 0, 0), 1e-3, {}), id);
+  world.replace(id, cube, at(-20, 0, 0));
+  EXPECT_FALSE(world.blocked_at(*cube, at(0, 0, 0), 1e-3, {}));
+  EXPECT_EQ(world.blocked_at(*cube, at(-20, 0.3, 0), 1e-3, {}), id);
+  EXPECT_EQ(world.blocked_at(*cube, at(9, 0.3, 0), 1e-3, {}), other);
+  world.remove(id);
+  EXPECT_THROW(world.replace(id, cube, at(0, 0, 0)), std::invalid_argument);
+  EXPECT_THROW(world.replace(other, nullptr, at(0, 0, 0)), std::invalid_argument);
+}
+
 TEST(CollisionWorld, BadQueriesAreRefused) {
   const BodyPtr cube = box(Vec3::Constant(0.5));
   CollisionWorld world;

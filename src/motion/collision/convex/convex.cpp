@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "src/motion/collision/base/tolerances.hpp"
 
@@ -10,6 +11,14 @@ namespace {
 
 double disc_extent(const Convex& convex, const Vec3& n) {
   return convex.disc * (n - n.dot(convex.disc_axis) * convex.disc_axis).norm();
+}
+
+/// Which of the axes a vector is; -1: none.
+int axis_of(const Vec3& n) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (n[axis] == 1) return n[(axis + 1) % 3] == 0 && n[(axis + 2) % 3] == 0 ? axis : -1;
+  }
+  return -1;
 }
 
 }  // namespace
@@ -32,12 +41,18 @@ Vec3 Convex::core_support(const Vec3& n) const {
 }
 
 Interval Convex::extent(const Vec3& n) const {
-  double least = n.dot(vertices.front());
-  double greatest = least;
-  for (const Vec3& vertex : vertices.subspan(1)) {
-    const double value = n.dot(vertex);
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  const auto reach = [&](double value) {
     least = std::min(least, value);
     greatest = std::max(greatest, value);
+  };
+  // Most directions are axes of the drawing.
+  const int axis = axis_of(n);
+  if (axis >= 0) {
+    for (const Vec3& vertex : vertices) reach(vertex[axis]);
+  } else {
+    for (const Vec3& vertex : vertices) reach(n.dot(vertex));
   }
   const double grown = ball + (disc > 0 ? disc_extent(*this, n) : 0.0);
   return {least - grown, greatest + grown};

@@ -296,6 +296,19 @@ void CollisionWorld::remove(ObstacleId id) {
   impl_->changed();
 }
 
+void CollisionWorld::replace(ObstacleId id, BodyPtr body, const Pose& X_WB) {
+  const auto found = impl_->place_of.find(id);
+  if (found == impl_->place_of.end()) {
+    throw std::invalid_argument(fmt::format("there is no obstacle {}", id));
+  }
+  if (!body) throw std::invalid_argument("an obstacle needs a body");
+  require_rigid(X_WB, "the pose of an obstacle");
+  const StandingPlace standing(*body, X_WB);
+  impl_->tree.replace(found->second, placed(body->bounds(), standing.X_WC));
+  impl_->obstacles[found->second] = {id, std::move(body), standing};
+  impl_->changed();
+}
+
 /// Whether the item is seen to be far from all obstacles without its sweep. Throws where its motion
 /// is not valid.
 bool CollisionWorld::Impl::stays_far(const SweptQuery& query, int item,

@@ -15,8 +15,9 @@ constexpr int kDeepeningRounds = 225;
 constexpr double kStepShrinks = 0.96;
 /// A point of so much of the largest depth there can be is not searched for any more.
 constexpr double kDeepEnough = 1 - 1e-9;
-/// Bodies of more parts than this have a tree over them.
-constexpr std::size_t kFewParts = 8;
+/// Bodies of more parts than this have a tree over them: pieces of soil, which change with every
+/// bucket, have up to nine.
+constexpr std::size_t kFewParts = 12;
 /// Corners that are as near as this (m) to those of a box make a box: a tenth of the depth that
 /// counts as rounding.
 constexpr double kBoxCorners = 1e-10;
@@ -32,18 +33,19 @@ Vec3 deep_point(const ConvexPiece& piece) {
   }
   if (piece.ball > 0 || piece.disc > 0 || piece.normals.empty()) return point;
   const Convex convex = piece.view();
-  std::vector<Interval> extents;
-  extents.reserve(piece.normals.size());
-  for (const Vec3& normal : piece.normals) extents.push_back(convex.extent(normal));
   // Nothing is deeper than half of the least extent: of a box that is its middle.
   double deepest = std::numeric_limits<double>::infinity();
   double depth = deepest;
-  for (std::size_t i = 0; i < extents.size(); ++i) {
-    const double at = piece.normals[i].dot(point);
-    deepest = std::min(deepest, 0.5 * (extents[i].greatest - extents[i].least));
-    depth = std::min({depth, at - extents[i].least, extents[i].greatest - at});
+  for (const Vec3& normal : piece.normals) {
+    const Interval extent = convex.extent(normal);
+    const double at = normal.dot(point);
+    deepest = std::min(deepest, 0.5 * (extent.greatest - extent.least));
+    depth = std::min({depth, at - extent.least, extent.greatest - at});
   }
   if (depth >= kDeepEnough * deepest) return point;
+  std::vector<Interval> extents;
+  extents.reserve(piece.normals.size());
+  for (const Vec3& normal : piece.normals) extents.push_back(convex.extent(normal));
   double step = 0.5 * piece.width;
   for (int round = 0; round < kDeepeningRounds; ++round) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -86,25 +88,25 @@ BodyPart part_of(const ConvexPiece& piece) {
   const Convex convex = piece.view();
   BodyPart part;
   part.width = piece.width;
-  part.box.R = axes_of(piece);
   // Exact axes stay exact: most boxes are parallel to their drawing.
-  if (convex.normals.size() >= 3 && (piece.normals[0].array().abs() == 1).any() &&
-      (piece.normals[1].array().abs() == 1).any()) {
-    part.box.R = Mat3::Identity();
-  }
-  part.aligned = part.box.R == Mat3::Identity();
+  const bool is_parallel = convex.normals.size() >= 3 &&
+                           (piece.normals[0].array().abs() == 1).any() &&
+                           (piece.normals[1].array().abs() == 1).any();
+  part.box.R = is_parallel ? Mat3(Mat3::Identity()) : axes_of(piece);
+  part.aligned = is_parallel || part.box.R == Mat3::Identity();
   Vec3 middle;
   for (int axis = 0; axis < 3; ++axis) {
     const Interval interval = convex.extent(part.box.R.col(axis));
     middle[axis] = 0.5 * (interval.least + interval.greatest);
     part.box.half[axis] = 0.5 * (interval.greatest - interval.least);
   }
-  part.box.centre = part.box.R * middle;
+  part.box.centre = part.aligned ? middle : Vec3(part.box.R * middle);
   if (piece.vertices.size() != 8 || piece.ball > 0 || piece.disc > 0) return part;
   // Eight different corners, each at a corner of the box.
   unsigned corners = 0;
   for (const Vec3& vertex : piece.vertices) {
-    const Vec3 at = part.box.R.transpose() * (vertex - part.box.centre);
+    const Vec3 off = vertex - part.box.centre;
+    const Vec3 at = part.aligned ? off : Vec3(part.box.R.transpose() * off);
     unsigned corner = 0;
     for (int axis = 0; axis < 3; ++axis) {
       if (std::fabs(std::fabs(at[axis]) - part.box.half[axis]) > kBoxCorners) return part;
@@ -121,9 +123,9 @@ BodyPart part_of(const ConvexPiece& piece) {
 Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, const Vec3& centre)
     : pieces_(std::move(pieces)), soups_(std::move(soups)) {
   extent_.centre = centre;
-  const auto reach_to = [this](const Vec3& point, double disc) {
-    extent_.radius = std::max(extent_.radius, point.norm() + disc);
-    extent_.reach = std::max(extent_.reach, (point + extent_.centre).norm() + disc);
+  const auto reach_to = [this](double square, double square_of_reach, double disc) {
+    extent_.radius = std::max(extent_.radius, std::sqrt(square) + disc);
+    extent_.reach = std::max(extent_.reach, std::sqrt(square_of_reach) + disc);
   };
   parts_.reserve(pieces_.size() + soups_.size());
   convexes_.reserve(pieces_.size());
@@ -138,7 +140,13 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
     parts_.back().piece = static_cast<int>(convexes_.size());
     convexes_.push_back(piece.view());
     bounds_.add(piece.bounds);
-    for (const Vec3& vertex : piece.vertices) reach_to(vertex, piece.disc);
+    double square = 0;
+    double square_of_reach = 0;
+    for (const Vec3& vertex : piece.vertices) {
+      square = std::max(square, vertex.squaredNorm());
+      square_of_reach = std::max(square_of_reach, (vertex + extent_.centre).squaredNorm());
+    }
+    reach_to(square, square_of_reach, piece.disc);
     probes_.push_back({deep_point(piece), piece.width});
     const std::size_t corners = std::min(piece.vertices.size(), kProbesPerPiece);
     for (std::size_t i = 0; i < corners; ++i) {
@@ -153,7 +161,10 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
     part.soup = static_cast<int>(&soup - soups_.data());
     bounds_.add(soup.bounds());
     for (const auto& triangle : soup.triangles()) {
-      for (const int index : triangle) reach_to(soup.vertices()[index], 0);
+      for (const int index : triangle) {
+        const Vec3& vertex = soup.vertices()[index];
+        reach_to(vertex.squaredNorm(), (vertex + extent_.centre).squaredNorm(), 0);
+      }
     }
     for (const Vec3& point : soup.probes())
       probes_.push_back({point, std::numeric_limits<double>::infinity()});

@@ -269,6 +269,25 @@ void WideTree::remove(int item) {
   changed();
 }
 
+void WideTree::replace(int item, const Bounds& bounds) {
+  const Place place = places_[item];
+  assert(place.node >= 0 && nodes_[place.node].child[place.slot] == ~item);
+  const FloatBox box = to_float(bounds);
+  const FloatBox before = slot_box(nodes_[place.node], place.slot);
+  const double joint = area(joined(before, box));
+  // Boxes without bound, too: their areas are no numbers.
+  if (!(joint <= kFittingGrowth * area(before))) {
+    remove(item);
+    insert(item, bounds);
+    return;
+  }
+  note_extent(box);
+  set_slot(place.node, place.slot, box, ~item, 1);
+  refresh_above(place.node);
+  // What only becomes smaller leaves the tree as good as it was.
+  if (joint > area(before)) changed();
+}
+
 void WideTree::changed() {
   ++changes_;
   if (depth_ < kMaxDepth && changes_ <= std::max(kFreeChanges, size_ / 2)) return;

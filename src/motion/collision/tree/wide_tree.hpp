@@ -59,6 +59,9 @@ class WideTree {
   void insert(int item, const Bounds& bounds);
   /// The item must be in the tree.
   void remove(int item);
+  /// Gives the item, which must be in the tree, another box; it stays where it is in the tree if
+  /// that is not much larger with its former one.
+  void replace(int item, const Bounds& bounds);
   int size() const { return size_; }
 
   /// Replaces `found` by the items whose boxes meet `bounds`, in no particular order; maybe some
