@@ -226,6 +226,31 @@ class HaulByMotion(ResultCase):
                 (header(falls_at=[1, 0, 0]), "does not lie where it fell")):
             self.assertIn(text, self.faults_of(change))
 
+    def test_verify_sees_changed_figures(self):
+        schedule, tasks = self.run_plan(plan())
+
+        def changed(of, name, by=1e-3):
+            def change(result):
+                row = of(result.schedule)
+                row[name] = not row[name] if isinstance(row[name], bool) else row[name] + ("x" if isinstance(row[name], str) else by)
+            return change
+
+        def row(task, key):
+            return lambda schedule: next(each for each in schedule["tasks"] if each["task"] == task)[key]
+
+        dig, haul = row("dig", "motion_dig"), row("haul_1", "haul")
+        cases = [(dig, name) for name in tasks["dig"]["motion_dig"] if name not in ("earth", "mean")]
+        cases += [(lambda schedule: dig(schedule)["mean"], name) for name in tasks["dig"]["motion_dig"]["mean"]]
+        cases += [(haul, name) for name in ("hauled", "working")]
+        cases += [(lambda schedule: haul(schedule)["mean"], name) for name in tasks["haul_1"]["haul"]["mean"]]
+        cases += [(lambda schedule: haul(schedule)["loads"][1], name) for name in tasks["haul_1"]["haul"]["loads"][1]]
+        cases += [(lambda schedule: schedule["hauling"], name) for name in schedule["hauling"]]
+        for of, name in cases:
+            by = 10_000 if name in ("buckets", "waited") else 1 if name in ("trucks", "loads") else 1e-3
+            self.assertIn("earthwork: ", self.faults_of(changed(of, name, by)), name)
+        self.assertIn("what it dug or hauled is not told", self.faults_of(
+            lambda result: next(each for each in result.schedule["tasks"] if each["task"] == "haul_1").pop("haul")))
+
     def test_workspaces(self):
         # two carts that meet where their ways cross: the second must not come near
         cross = """plan p { robot a "cart.robot" { start x -10, y 0; } robot b "cart.robot" { start x 0.5, y -9; }

@@ -28,6 +28,7 @@
 #include "src/results/verify/schedule/check_dates.hpp"
 #include "src/results/verify/schedule/check_digs.hpp"
 #include "src/results/verify/schedule/check_durations.hpp"
+#include "src/results/verify/schedule/check_earth_rows.hpp"
 #include "src/results/verify/schedule/check_joints.hpp"
 #include "src/results/verify/schedule/check_lifts.hpp"
 #include "src/results/verify/schedule/check_links.hpp"
@@ -137,6 +138,7 @@ void check_schedules(const Result& result, const Trace& trace, const std::vector
       loads = read_file("loads.csv", [&] { return read_loads_csv(*result.loads_csv); });
     }
     check_dig_rows(trace, runs, schedule.rows, loads, faults);
+    check_earth_rows(trace, runs, hours, schedule, loads, faults);
   }
   if (result.schedule_csv) {
     const auto rows =

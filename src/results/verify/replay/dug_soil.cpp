@@ -54,17 +54,6 @@ struct TaskHours {
   std::vector<int> calendars;
 };
 
-std::vector<int> calendars_of(const Trace& trace, const std::vector<TaskRun>& runs, int index) {
-  std::vector<int> calendars;
-  for (const Hold& hold : holds_of(trace, runs, index)) {
-    if (!hold.whole) continue;
-    for (const int calendar : calendar_of_resource(trace.scene, hold.resource)) {
-      calendars.push_back(calendar);
-    }
-  }
-  return calendars;
-}
-
 /// One task in which a robot dug.
 class DigReplay {
  public:

@@ -59,6 +59,16 @@ std::vector<Hold> holds_of(const Trace& trace, const std::vector<TaskRun>& runs,
   return holds;
 }
 
+std::vector<int> calendars_of(const Trace& trace, const std::vector<TaskRun>& runs, int index) {
+  std::vector<int> calendars;
+  for (const Hold& hold : holds_of(trace, runs, index)) {
+    if (!hold.whole) continue;
+    const std::vector<int> its = calendar_of_resource(trace.scene, hold.resource);
+    calendars.insert(calendars.end(), its.begin(), its.end());
+  }
+  return calendars;
+}
+
 int size_of_resource(const Scene& scene, int resource) {
   const int robots = static_cast<int>(scene.robots.size());
   return resource < robots ? 1 : scene.crews[at(resource - robots)].size;

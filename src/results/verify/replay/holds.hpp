@@ -21,6 +21,9 @@ struct Hold {
 /// of single works while these last. A task without work has nobody.
 std::vector<Hold> holds_of(const Trace& trace, const std::vector<TaskRun>& runs, int index);
 
+/// The calendars of all whom a task had from its start to its finish.
+std::vector<int> calendars_of(const Trace& trace, const std::vector<TaskRun>& runs, int index);
+
 /// People of a crew; 1 of a robot.
 int size_of_resource(const Scene& scene, int resource);
 /// Its name.

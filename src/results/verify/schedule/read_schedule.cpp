@@ -204,6 +204,58 @@ RowDig read_row_dig(const JsonFields& fields) {
   return dig;
 }
 
+RowMotionDig read_row_motion_dig(const JsonFields& fields) {
+  RowMotionDig dig;
+  dig.volume = fields.number("volume");
+  dig.dug = fields.number("dug");
+  dig.bucket = fields.number("bucket");
+  dig.buckets = count_of(fields, "buckets");
+  dig.working = fields.time("working");
+  dig.per_hour = fields.number("per_hour");
+  dig.cost_per_m3 = number_if_any(fields, "cost_per_m3");
+  dig.fuel_per_m3 = number_if_any(fields, "fuel_per_m3");
+  const JsonFields mean = fields.object("mean");
+  dig.cycle = mean.number("cycle");
+  dig.to_the_cut = mean.number("to_the_cut");
+  dig.cut = mean.number("cut");
+  dig.swing = mean.number("swing");
+  dig.dump = mean.number("dump");
+  if (!fields.has("trucks")) return dig;
+  dig.trucks = count_of(fields, "trucks");
+  dig.loads = count_of(fields, "loads");
+  dig.load = number_if_any(fields, "load");
+  dig.waited = fields.time("waited");
+  return dig;
+}
+
+RowHaul read_row_haul(const JsonFields& fields) {
+  RowHaul haul;
+  haul.hauled = fields.number("hauled");
+  haul.working = fields.time("working");
+  const JsonFields mean = fields.object("mean");
+  haul.queue = mean.number("queue");
+  haul.loading = mean.number("loading");
+  haul.haul = mean.number("haul");
+  haul.tip = mean.number("tip");
+  haul.back = mean.number("back");
+  for (const Json& object : fields.array("loads")) {
+    const JsonFields load(object, "a load");
+    haul.loads.push_back({load.text("dig"), load.number("volume"), load.time("arrived"),
+                          load.time("began"), load.time("loaded"), load.time("at_tip"),
+                          load.time("tipped")});
+  }
+  return haul;
+}
+
+HaulingRow read_hauling(const JsonFields& fields) {
+  return {fields.number("hauled"),
+          fields.number("working"),
+          fields.number("per_hour"),
+          number_if_any(fields, "cost_per_m3"),
+          number_if_any(fields, "fuel_per_m3"),
+          number_if_any(fields, "match_factor")};
+}
+
 ScheduleRow read_row(const JsonFields& fields) {
   ScheduleRow row;
   row.task = fields.text("task");
@@ -240,6 +292,10 @@ ScheduleRow read_row(const JsonFields& fields) {
   }
   row.attributes = fields.texts("attributes");
   if (fields.has("dig")) row.dig = read_row_dig(fields.object("dig"));
+  if (fields.has("motion_dig")) {
+    row.motion_dig = read_row_motion_dig(fields.object("motion_dig"));
+  }
+  if (fields.has("haul")) row.haul = read_row_haul(fields.object("haul"));
   if (fields.has("cover")) {
     const JsonFields cover = fields.object("cover");
     row.cover = read_row_cover(cover);
@@ -277,6 +333,7 @@ ScheduleJson read_schedule_json(const std::string& text) {
   read.process_time = schedule.time("process_time");
   read.cost = money_if_any(schedule, "cost");
   read.fuel = number_if_any(schedule, "fuel");
+  if (schedule.has("hauling")) read.hauling = read_hauling(schedule.object("hauling"));
   if (schedule.has("cost_by_kind")) {
     for (const auto& [kind, amount] : schedule.object("cost_by_kind").json().items()) {
       read.cost_by_kind[kind] = number_of(amount, "'cost_by_kind'", kLargestMoney);

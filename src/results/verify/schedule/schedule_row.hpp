@@ -76,6 +76,42 @@ struct RowDig {
   std::vector<RowQueue> queues;
 };
 
+/// What a robot dug, in the JSON only; m3, s.
+struct RowMotionDig {
+  double volume = 0, dug = 0, bucket = 0;
+  std::int64_t buckets = 0;
+  Ticks working = 0;
+  double per_hour = 0;
+  std::optional<double> cost_per_m3, fuel_per_m3;
+  double cycle = 0, to_the_cut = 0, cut = 0, swing = 0, dump = 0;  ///< means over the buckets
+  std::optional<std::int64_t> trucks, loads;
+  std::optional<double> load;  ///< that a truck takes
+  Ticks waited = 0;
+};
+
+/// One load of a truck with a body; times that are worked, from the beginning of its task.
+struct RowLoad {
+  std::string dig;
+  double volume = 0;
+  Ticks arrived = 0, began = 0, loaded = 0, at_tip = 0, tipped = 0;
+};
+
+/// What a truck with a body hauled, in the JSON only.
+struct RowHaul {
+  double hauled = 0;  ///< m3
+  Ticks working = 0;
+  double queue = 0, loading = 0, haul = 0, tip = 0, back = 0;  ///< s, means
+  std::vector<RowLoad> loads;
+};
+
+/// All that trucks with bodies hauled, and what dug it, in the JSON only.
+struct HaulingRow {
+  double hauled = 0;   ///< m3
+  double working = 0;  ///< s
+  double per_hour = 0;
+  std::optional<double> cost_per_m3, fuel_per_m3, match_factor;
+};
+
 /// One row of a schedule, as a file tells it.
 struct ScheduleRow {
   int line = 0;
@@ -98,6 +134,8 @@ struct ScheduleRow {
   std::optional<RowFloat> floats;
   std::optional<RowCover> cover;
   std::optional<RowDig> dig;
+  std::optional<RowMotionDig> motion_dig;
+  std::optional<RowHaul> haul;
   std::optional<RowJoints> joints;
 };
 
@@ -141,6 +179,7 @@ struct ScheduleJson {
   std::optional<double> cost;
   std::map<std::string, double> cost_by_kind;  ///< empty: not given
   std::optional<double> fuel;                  ///< l
+  std::optional<HaulingRow> hauling;
   std::vector<BreakdownRow> breakdowns;
   std::vector<LostDaysRecord> lost_days;
   /// What the plan says of components, by their names.
