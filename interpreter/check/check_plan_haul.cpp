@@ -198,6 +198,29 @@ double off_truck(const RobotSpec& truck, const MotionDigSpec& dig) {
   return box.exteriorDistance(Eigen::Vector2d(p_TD.head<2>()));
 }
 
+/// People of a crew that a task has from its start to its finish.
+int people_of(const Subject& subject, const TaskSpec& task, int crew) {
+  for (const NeedSpec& need : task.needs) {
+    if (need.crew == crew) return need.people;
+  }
+  return static_cast<int>(subject.model.crews[at(crew)].size);
+}
+
+/// A truck is loaded while the dig goes on, so nobody can be in both.
+void check_shared_crews(Subject& subject, const TaskSpec& haul, const TaskSpec& dig) {
+  for (const int crew : haul.crews) {
+    if (std::find(dig.crews.begin(), dig.crews.end(), crew) == dig.crews.end()) continue;
+    const CrewSpec& spec = subject.model.crews[at(crew)];
+    const int people = people_of(subject, haul, crew) + people_of(subject, dig, crew);
+    if (people <= spec.size) continue;
+    subject.error("P62", haul.span,
+                  fmt::format("'{}' and '{}', which loads it, need {} people of crew '{}' at once, "
+                              "and it has {}",
+                              haul.name, dig.name, people, spec.name, spec.size),
+                  "another crew, or a larger one of which each of them needs a part");
+  }
+}
+
 /// What a truck takes of what a task digs.
 void finish_haul(Subject& subject, TaskSpec& task) {
   HaulSpec& haul = *task.haul;
@@ -264,6 +287,9 @@ void finish_hauls(Subject& subject) {
     for (const int dig : tasks[i].haul->digs) {
       TaskSpec& other = tasks[at(dig)];
       if (other.motion_dig) other.motion_dig->haulers.push_back(static_cast<int>(i));
+      if (tasks[i].choices.empty() && other.choices.empty()) {
+        check_shared_crews(subject, tasks[i], other);
+      }
       for (TaskSpec& choice : other.choices) {
         if (choice.motion_dig) choice.motion_dig->haulers.push_back(static_cast<int>(i));
       }

@@ -304,6 +304,8 @@ class HaulByMotion(ResultCase):
                 (plan().replace("tip takes 5 s", "tip takes -5 s"), "tip cannot be negative"),
                 (plan(digs="dig, dig"), "is named twice"),
                 (plan(carts=0), "nobody hauls what 'dig' loads"),
+                (plan(more="crew driver;").replace("by digger;", "by digger, driver;").replace("by cart_1;", "by cart_1, driver;"),
+                 "'haul_1' and 'dig', which loads it, need 2 people of crew 'driver' at once, and it has 1"),
                 (plan().replace("repose 35 deg;", ""), "how steep loose soil lies"),
                 (plan(clauses="raise x 3;").replace("raise z 0.2;", ""), "it is not raised"),
                 (plan(clauses="bed 2 m3;"), "bed is given twice"),
