@@ -310,6 +310,7 @@ class Pools(ResultCase):
             result.task("home")["same_as"] = "two"
 
         self.assertIn("it has not far, as two has", self.faults_of(other))
+        self.assertIn("'choice' does not name whom", self.faults_of(lambda result: result.schedule["tasks"][0].update(choice="far of carts: the nearest")))
 
     def test_what_all_costs(self):
         schedule, tasks = self.run_plan(MONEY)

@@ -164,6 +164,9 @@ class Verify(unittest.TestCase):
                                       ("schedule.json", '"begins":"2028-02-28 08:00"', '"begins":"2028-02-20 08:00"', "of its baseline 'begins' is"),
                                       ("schedule.json", '"ends":"2028-02-29 08:00"', '"ends":"2028-03-09 08:00"', "of its baseline 'ends' is"),
                                       ("schedule.json", '"name":"Grout 1"', '"name":"Pour 9"', "its name or another attribute"),
+                                      ("schedule.json", '"kind":"crew"', '"kind":"robot"', "its kind is not that of the trace"),
+                                      ("schedule.json", '"tried":', '"component":"wall","tried":', "'component' is not what the trace says"),
+                                      ("schedule.json", '"tried":', '"parking":true,"tried":', "'parking' is not what the trace says"),
                                       ("schedule.json", '"storey":"3"', '"storey":"7"', "the attributes of component wall")):
             with self.subTest(name=name, old=old):
                 self.expect_changed_is_found(folder, name, old, new, words)

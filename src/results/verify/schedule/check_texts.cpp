@@ -96,6 +96,17 @@ void check_texts(const Scene& scene, const ScheduleJson& schedule, Faults& fault
     if (row.attributes != (task == nullptr ? SceneAttributes() : task->attributes)) {
       fault("its name or another attribute is not that of the trace");
     }
+    const bool is_known = scene.short_form || scene.task_index.contains(row.task);
+    if (row.parking == is_known) fault("'parking' is not what the trace says");
+    if (task != nullptr) {
+      const std::string moved = task->move < 0 ? "" : scene.components[at(task->move)].name;
+      if (row.component != moved) fault("'component' is not what the trace says");
+      // By pools: "low of cranes: the first that is free".
+      const std::string members = task->members.substr(0, task->members.find(','));
+      if (row.result == "done" && !row.choice.starts_with(members)) {
+        fault("'choice' does not name whom the trace says it had");
+      }
+    }
     // Of a choice of machines each may have a way of its own.
     if (task == nullptr || !task->choices.empty()) continue;
     if (row.cover.has_value() != task->cover.has_value()) {
@@ -105,6 +116,13 @@ void check_texts(const Scene& scene, const ScheduleJson& schedule, Faults& fault
       if (!wrong.empty())
         fault(fmt::format("'{}' of what it covers is not that of the trace", wrong));
     }
+  }
+  for (const UseRow& use : schedule.uses) {
+    const auto is_robot = [&](const auto& robot) { return robot.name == use.name; };
+    const bool robot = std::any_of(scene.robots.begin(), scene.robots.end(), is_robot);
+    if (use.kind == (robot ? "robot" : "crew")) continue;
+    faults.push_back({FaultKind::schedule, ResultFile::schedule_json, use.line, use.name, -1,
+                      "its kind is not that of the trace"});
   }
   std::map<std::string, SceneAttributes> told;
   for (const SceneComponent& component : scene.components) {

@@ -291,6 +291,9 @@ ScheduleRow read_row(const JsonFields& fields) {
     row.baseline_ends = baseline.text_or("ends", "");
   }
   row.attributes = fields.texts("attributes");
+  row.component = fields.text_or("component", "");
+  row.parking = fields.has("parking") && fields.truth("parking");
+  row.choice = fields.text_or("choice", "");
   if (fields.has("dig")) row.dig = read_row_dig(fields.object("dig"));
   if (fields.has("motion_dig")) {
     row.motion_dig = read_row_motion_dig(fields.object("motion_dig"));
@@ -312,6 +315,7 @@ ScheduleRow read_row(const JsonFields& fields) {
 UseRow read_use(const JsonFields& fields) {
   UseRow use;
   use.name = fields.text("name");
+  use.kind = fields.text("kind");
   if (fields.has("size")) use.size = fields.integer("size");
   use.tasks = fields.integer("tasks");
   use.held = fields.time("held");

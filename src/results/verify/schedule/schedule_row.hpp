@@ -129,7 +129,10 @@ struct ScheduleRow {
   std::optional<Ticks> due, late;
   std::optional<std::pair<Ticks, Ticks>> baseline;  ///< start, finish
   std::string baseline_begins, baseline_ends;       ///< in the JSON only, as `begins`
-  std::map<std::string, std::string> attributes;    ///< in the JSON only
+  std::map<std::string, std::string> attributes;    ///< in the JSON only, as the next three
+  std::string component;                            ///< that it moves; "": none
+  bool parking = false;                             ///< no task of the plan
+  std::string choice;                               ///< why it has these members; "": no pools
   std::optional<RowTexts> texts;
   std::optional<RowFloat> floats;
   std::optional<RowCover> cover;
@@ -142,7 +145,7 @@ struct ScheduleRow {
 /// What schedule.json tells of a robot or a crew.
 struct UseRow {
   int line = 0;
-  std::string name;
+  std::string name, kind;
   std::optional<int> size;  ///< of a crew: people
   int tasks = 0;
   Ticks held = 0;
