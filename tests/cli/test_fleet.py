@@ -135,6 +135,17 @@ class Fleet(ResultCase):
                 _, tasks = self.run_plan(plan(text, fleet, "task a { by carts_1; go at yard.n_%d_%d; }" % goal), expected=None)
                 self.assertEqual(tasks["a"]["result"] == "done", gets_there(lanes, places, goal), tasks["a"])
 
+    def test_who_makes_way_can_get_on(self):
+        # Beside the crossing are a bay and a dead end. Whichever the plan has first: the bay, for the cart has a task later.
+        nodes = {"bay": "node bay at trans(10, -10, 0);", "trap": "node trap at trans(10, 10, 0);"}
+        lanes = {"bay": "lane mid to bay both;", "trap": "lane mid to trap;"}
+        road = " node west at trans(0, 0, 0); node mid at trans(10, 0, 0); node east at trans(20, 0, 0); lane west to mid both; lane mid to east both;"
+        for first, second in (("bay", "trap"), ("trap", "bay")):
+            network = "network yard { class road { speed 2 m/s; } " + nodes[first] + nodes[second] + road + lanes[first] + lanes[second] + " }"
+            for later in ("by carts_2; go at yard.west;", "by carts; go at yard.west;"):
+                _, tasks = self.run_plan(plan(network, "at west, mid;", "task a { by carts_1; go at yard.east; } task b { %s after a; }" % later))
+                self.assertEqual([tasks[name]["result"] for name in "ab"], ["done", "done"], tasks)
+
     def test_without_a_way_past_it_says_who_stands_where(self):
         corridor = "network yard { class road { speed 1 m/s; } for i from 1 to 3 { node r[i] at trans(10 * i, 0, 0); } lane r[1] to r[2] both; lane r[2] to r[3] both; }"
         schedule, _ = self.run_plan(plan(corridor, "at r[1], r[3];", "task a { by carts_1; go at yard.r[3]; } task b { by carts_2; go at yard.r[1]; }"), expected=1)

@@ -1,9 +1,6 @@
 #include "src/fleets/traffic/traffic.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <map>
-#include <queue>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,19 +8,6 @@
 #include "src/fleets/lanes/shortest_way.hpp"
 
 namespace rubicon::traffic {
-
-namespace {
-
-/// So many arrangements of vehicles are looked at to bring one past the others.
-constexpr int kMostArrangements = 20'000;
-
-/// What a move costs, what each lane that is left to the goal counts for (more than a move: the
-/// first way found is good enough), and each lane to what another wants.
-constexpr int kMove = 10;
-constexpr int kLeft = 15;
-constexpr int kLeftOfOthers = 1;
-
-}  // namespace
 
 Traffic::Traffic(std::shared_ptr<const LaneNetwork> network, std::vector<Vehicle> vehicles)
     : network_(std::move(network)), vehicles_(std::move(vehicles)) {
@@ -197,119 +181,47 @@ PlanResult Traffic::blocked(int vehicle, NodeIndex goal) const {
   return result;
 }
 
-/// How many lanes it is from each node to the goal for a vehicle; -1: no way.
-std::vector<int> Traffic::lanes_to(NodeIndex goal, double width) const {
-  std::vector<std::vector<NodeIndex>> before(turns_.size());
-  for (LaneIndex lane = 0; lane < network_->lane_count(); ++lane) {
-    if (network_->class_of(lane).width < width) continue;
-    before[at(network_->lane(lane).to)].push_back(network_->lane(lane).from);
-  }
-  std::vector<int> left(turns_.size(), -1);
-  std::vector<NodeIndex> open = {goal};
-  left[at(goal)] = 0;
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    for (const NodeIndex node : before[at(open[i])]) {
-      if (left[at(node)] >= 0) continue;
-      left[at(node)] = left[at(open[i])] + 1;
-      open.push_back(node);
-    }
-  }
-  return left;
-}
-
-bool Traffic::untangle(int vehicle, const std::vector<bool>& movable, Nanoseconds now) {
-  const NodeIndex goal = states_[at(vehicle)].wants;
-  if (goal == lanes::kNone || states_[at(vehicle)].stays.size() > 1) return false;
-  // The vehicle first, then those who may be moved; all that others hold is taken.
+/// The vehicle first, then those who may be moved; all that others hold is taken.
+std::vector<int> Traffic::movers_for(int vehicle, const std::vector<bool>& movable) const {
   std::vector<int> who = {vehicle};
   for (int other = 0; other < vehicles(); ++other) {
     if (other != vehicle && movable[at(other)] && states_[at(other)].stays.size() == 1) {
       who.push_back(other);
     }
   }
-  std::vector<bool> taken(turns_.size(), false);
+  return who;
+}
+
+MakeWayQuery Traffic::way_made_by(const std::vector<int>& who, const Ahead& ahead) const {
+  MakeWayQuery query;
+  query.network = network_.get();
+  for (const int each : who) {
+    query.movers.push_back({node_of(each), vehicles_[at(each)].width, wants(each), {}});
+    if (!ahead.empty()) query.movers.back().ahead = ahead[at(each)];
+  }
+  query.taken.resize(turns_.size(), false);
   for (std::size_t node = 0; node < turns_.size(); ++node) {
     for (const Turn& turn : turns_[node]) {
       const bool may_leave = std::find(who.begin(), who.end(), turn.vehicle) != who.end();
-      if (!may_leave) taken[node] = true;
+      if (!may_leave) query.taken[node] = true;
     }
   }
-  std::vector<std::vector<int>> left;
-  for (const int each : who) {
-    const NodeIndex wanted = states_[at(each)].wants;
-    left.push_back(wanted == lanes::kNone ? std::vector<int>(turns_.size(), 0)
-                                          : lanes_to(wanted, vehicles_[at(each)].width));
-  }
-  using Places = std::vector<NodeIndex>;
-  struct Arrangement {
-    Places places;
-    int cost = 0;
-    int before = -1;
-    int moved = -1;  // index into `who`
-    LaneIndex lane = lanes::kNone;
-  };
-  const auto rank = [&](const Arrangement& each) {
-    int sum = each.cost;
-    for (std::size_t i = 0; i < who.size(); ++i) {
-      const int lanes_left = left[i][at(each.places[i])];
-      sum += std::max(lanes_left, 0) * (i == 0 ? kLeft : kLeftOfOthers);
-    }
-    return sum;
-  };
-  std::vector<Arrangement> all;
-  std::map<Places, int> best;         // the least cost at which each was reached
-  using Entry = std::pair<int, int>;  // rank, index
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  const auto reach = [&](Arrangement arrangement) {
-    const auto [place, is_new] = best.emplace(arrangement.places, arrangement.cost);
-    if (!is_new && place->second <= arrangement.cost) return;
-    place->second = arrangement.cost;
-    open.emplace(rank(arrangement), static_cast<int>(all.size()));
-    all.push_back(std::move(arrangement));
-  };
-  Arrangement first;
-  for (const int each : who) first.places.push_back(node_of(each));
-  if (left[0][at(first.places[0])] < 0) return false;
-  reach(std::move(first));
-  int found = -1;
-  for (int looked = 0; looked < kMostArrangements && !open.empty() && found < 0; ++looked) {
-    const int index = open.top().second;
-    open.pop();
-    const Arrangement here = all[static_cast<std::size_t>(index)];
-    if (best.at(here.places) < here.cost) continue;
-    if (here.places[0] == goal) {
-      found = index;
-      break;
-    }
-    for (std::size_t i = 0; i < who.size(); ++i) {
-      for (const LaneIndex lane : network_->leaving(here.places[i])) {
-        const NodeIndex to = network_->lane(lane).to;
-        if (taken[at(to)] || network_->class_of(lane).width < vehicles_[at(who[i])].width) continue;
-        if (std::find(here.places.begin(), here.places.end(), to) != here.places.end()) continue;
-        Arrangement next = here;
-        next.places[i] = to;
-        next.cost += kMove;
-        next.before = index;
-        next.moved = static_cast<int>(i);
-        next.lane = lane;
-        reach(std::move(next));
-      }
-    }
-  }
-  if (found < 0) return false;
-  std::vector<const Arrangement*> moves;
-  for (int i = found; all[static_cast<std::size_t>(i)].before >= 0;
-       i = all[static_cast<std::size_t>(i)].before) {
-    moves.push_back(&all[static_cast<std::size_t>(i)]);
-  }
-  std::reverse(moves.begin(), moves.end());
+  return query;
+}
+
+bool Traffic::untangle(int vehicle, const std::vector<bool>& movable, const Ahead& ahead,
+                       Nanoseconds now) {
+  if (wants(vehicle) == lanes::kNone || states_[at(vehicle)].stays.size() > 1) return false;
+  const std::vector<int> who = movers_for(vehicle, movable);
+  const auto moves = make_way(way_made_by(who, ahead));
+  if (!moves) return false;
   // One after the other: so all have their turns at the nodes in the order of the moves.
-  for (const Arrangement* const move : moves) {
-    const int mover = who[at(move->moved)];
+  for (const Move& move : *moves) {
+    const int mover = who[at(move.mover)];
     State& state = states_[at(mover)];
-    const NodeIndex to = move->places[at(move->moved)];
-    turns_[at(to)].push_back({mover, state.first + static_cast<std::int64_t>(state.stays.size())});
-    state.stays.push_back({to, move->lane, 0, 0});
+    turns_[at(move.to)].push_back(
+        {mover, state.first + static_cast<std::int64_t>(state.stays.size())});
+    state.stays.push_back({move.to, move.lane, 0, 0});
   }
   states_[at(vehicle)].wants = lanes::kNone;
   foresee(now);

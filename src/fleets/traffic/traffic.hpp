@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "src/fleets/traffic/make_way.hpp"
 #include "src/fleets/traffic/timed_way.hpp"
 
 namespace rubicon::traffic {
@@ -70,11 +71,12 @@ class Traffic {
   /// It has reached the node that it had entered, and with all its bodies left the one before.
   void arrived(int vehicle, Nanoseconds now);
 
+  /// By vehicle: where the tasks lead that it has yet to do; empty where nobody has any.
+  using Ahead = std::vector<std::vector<NodeIndex>>;
   /// Brings a vehicle that waits to its goal where others stand in the way who may be moved: those
-  /// get ways, too, out of its way and out of each other's. `movable`, by vehicle: it waits itself,
-  /// or has nothing to do. The fewest moves, one vehicle after the other, of those that a search of
-  /// so many steps finds; false and nothing changed if it finds none.
-  bool untangle(int vehicle, const std::vector<bool>& movable, Nanoseconds now);
+  /// get ways, too, out of its way and out of each other's, as `make_way` finds them. `movable`, by
+  /// vehicle: it waits itself, or has nothing to do. False and nothing changed if there are none.
+  bool untangle(int vehicle, const std::vector<bool>& movable, const Ahead& ahead, Nanoseconds now);
   /// Whether `plan` last found somebody in its way.
   bool waits(int vehicle) const { return wants(vehicle) != lanes::kNone; }
   /// The goal to which `plan` last found no way.
@@ -114,7 +116,9 @@ class Traffic {
   TimedWays ways_from(int vehicle, Nanoseconds now);
   void take(int vehicle, const std::vector<TimedNode>& way);
   PlanResult blocked(int vehicle, NodeIndex goal) const;
-  std::vector<int> lanes_to(NodeIndex goal, double width) const;
+  std::vector<int> movers_for(int vehicle, const std::vector<bool>& movable) const;
+  MakeWayQuery way_made_by(const std::vector<int>& who, const Ahead& ahead) const;
+
   std::shared_ptr<const LaneNetwork> network_;
   std::vector<Vehicle> vehicles_;
   std::vector<State> states_;

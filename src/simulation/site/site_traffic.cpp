@@ -139,7 +139,9 @@ std::optional<double> SiteWorld::lane_distance(int robot, const Eigen::Vector2d&
   return std::nullopt;
 }
 
-bool SiteWorld::untangle(int robot, const std::vector<bool>& idle) {
+bool SiteWorld::untangle(
+    int robot, const std::vector<bool>& idle,
+    const std::function<std::vector<Eigen::Vector2d>(int robot)>& places_ahead) {
   for (Network& network : networks_) {
     const auto found = std::find(network.robots.begin(), network.robots.end(), robot);
     if (found == network.robots.end()) continue;
@@ -152,7 +154,14 @@ bool SiteWorld::untangle(int robot, const std::vector<bool>& idle) {
     const std::pair state(network.traffic.changes(), movable);
     const auto known = network.tangled.find(vehicle);
     if (known != network.tangled.end() && known->second == state) return false;
-    if (network.traffic.untangle(vehicle, movable, now_)) return true;
+    traffic::Traffic::Ahead ahead(network.robots.size());
+    for (std::size_t i = 0; i < network.robots.size(); ++i) {
+      if (!movable[i]) continue;
+      for (const Eigen::Vector2d& place : places_ahead(network.robots[i])) {
+        ahead[i].push_back(nearest_node(network.traffic.network(), place));
+      }
+    }
+    if (network.traffic.untangle(vehicle, movable, ahead, now_)) return true;
     network.tangled[vehicle] = state;
   }
   return false;

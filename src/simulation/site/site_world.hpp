@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -300,8 +301,10 @@ class SiteWorld {
   std::optional<double> lane_distance(int robot, const Eigen::Vector2d& place) const;
   /// Lets a robot that waits for its turn get by where others stand in the way who wait too or are
   /// idle (`idle`, by robot): those get ways, too. False: there is no way out, or there was none
-  /// when it was looked for last and nothing has changed.
-  bool untangle(int robot, const std::vector<bool>& idle);
+  /// when it was looked for last and nothing has changed. `places_ahead` of a robot: where its
+  /// tasks lead that are not over.
+  bool untangle(int robot, const std::vector<bool>& idle,
+                const std::function<std::vector<Eigen::Vector2d>(int robot)>& places_ahead);
   /// All robots of the network of a robot but it; nothing of one on no network.
   std::vector<int> robots_beside(int robot) const;
   /// Where the way of a robot leads that was moved out of the way of others: `Traffic::next_stop`.

@@ -107,6 +107,7 @@ class Simulation : private LinkState::Listener {
   bool is_out(int task, int choice) const;
   bool asks_no_more(int task, int queue) const;
   int choose_queue(int task, const std::vector<int>& queues) const;
+  math::Vec3 place_of(int robot, const interpreter::GoalSpec& goal) const;
   double rank_of(const interpreter::TaskSpec& choice, const interpreter::PoolMember& member) const;
   void take_members(const ResourceAllocator::Grant& grant);
   std::string choice_text(int task) const;
@@ -124,6 +125,7 @@ class Simulation : private LinkState::Listener {
   bool resolve_standstill();
   std::string standstill_reason(int task) const;
   bool lets_one_go_on(const std::vector<int>& tasks);
+  std::vector<Eigen::Vector2d> places_ahead(int robot) const;
   bool untangle_fleets();
   void choose_park(int robot);
   bool park_idle_machines();

@@ -115,19 +115,20 @@ double Simulation::rank_of(const interpreter::TaskSpec& choice,
   if (!moves && !choice.go) return 0;
   const auto goals =
       goals_of(plan_, choice, moves ? MotionPurpose::grip : MotionPurpose::go, stage_.site);
-  const interpreter::GoalSpec& goal = goals.front();
-  const math::Vec3 p_WT = stage_.site.tool_pose(resource).translation();
-  const auto distance = [&](const math::Vec3& p_WG) {
-    const auto over_lanes = stage_.site.lane_distance(resource, p_WG.head<2>());
-    return over_lanes.value_or((p_WG - p_WT).norm());
-  };
-  if (goal.X_WG) return distance(goal.X_WG->translation());
-  const robot::RobotModel& model = stage_.robot_spec(resource).robot->model;
-  const robot::Mounting& mounting = stage_.site.robot(resource).mounting;
-  std::vector<double> q = stage_.site.configuration(resource);
+  const math::Vec3 p_WG = place_of(resource, goals.front());
+  const auto over_lanes = stage_.site.lane_distance(resource, p_WG.head<2>());
+  return over_lanes.value_or((p_WG - stage_.site.tool_pose(resource).translation()).norm());
+}
+
+/// Where the tool of the robot is at a goal (world).
+math::Vec3 Simulation::place_of(int robot, const interpreter::GoalSpec& goal) const {
+  if (goal.X_WG) return goal.X_WG->translation();
+  const robot::RobotModel& model = stage_.robot_spec(robot).robot->model;
+  const robot::Mounting& mounting = stage_.site.robot(robot).mounting;
+  std::vector<double> q = stage_.site.configuration(robot);
   for (const auto& [parameter, value] : goal.values) q[index(parameter)] = value;
   robot::update_derived(model, mounting, q);
-  return distance(robot::tool_pose(model, mounting, q).translation());
+  return robot::tool_pose(model, mounting, q).translation();
 }
 
 /// The task has the members it was given; those of a group are kept for it.

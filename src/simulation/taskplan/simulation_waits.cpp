@@ -207,6 +207,37 @@ bool Simulation::may_park(int robot, bool now) const {
                      {});
 }
 
+/// Where the tasks lead that a robot has yet to finish, or may be chosen for (world, m).
+std::vector<Eigen::Vector2d> Simulation::places_ahead(int robot) const {
+  std::vector<Eigen::Vector2d> places;
+  const auto add = [&](const math::Vec3& p_W) { places.emplace_back(p_W.head<2>()); };
+  const auto add_task = [&](const interpreter::TaskSpec& task) {
+    if (task.robot != robot) return;
+    for (const interpreter::GoalSpec& goal : task.via) add(place_of(robot, goal));
+    if (task.go) add(place_of(robot, *task.go));
+    if (task.move) {
+      const math::Pose& X_OG = plan_.components[index(*task.move)].X_OG;
+      if (stage_.site.stands(*task.move)) add((stage_.site.X_WO(*task.move) * X_OG).translation());
+      add((task.X_WO_goal * X_OG).translation());
+    }
+    if (!task.haul) return;
+    for (const int dig : task.haul->digs) {
+      const auto& loads = stage_.spec(dig).motion_dig;
+      if (loads && loads->loads_bodies()) add(loads->X_WL->translation());
+    }
+    for (const math::Pose& X_WT : task.haul->tips) add(X_WT.translation());
+  };
+  for (const int task : stage_.tasks_of(robot)) {
+    if (is_over(task)) continue;
+    if (stage_.has_choices(task) && stage_.chosen(task) < 0) {
+      for (const interpreter::TaskSpec& choice : stage_.plan_spec(task).choices) add_task(choice);
+    } else {
+      add_task(stage_.spec(task));
+    }
+  }
+  return places;
+}
+
 /// Where vehicles of fleets stand in each other's way, those that wait or are idle get out of it.
 bool Simulation::untangle_fleets() {
   if (plan_.fleets.empty()) return false;
@@ -215,13 +246,14 @@ bool Simulation::untangle_fleets() {
     idle.push_back(stage_.allocator->state(robot).holder() < 0 && !stage_.site.load(robot) &&
                    stage_.breakdowns.out_until(robot) <= stage_.now());
   }
+  const auto ahead = [this](int robot) { return places_ahead(robot); };
   bool any = false;
   for (std::size_t i = 0; i < stage_.active.size(); ++i) {
     const ActiveTask& active = stage_.active[i];
     const int robot = stage_.spec(active.task).robot;
     if (!active.activity || robot < 0 || stage_.robot_spec(robot).fleet < 0) continue;
     if (active.activity->robots_in_the_way(stage_).empty()) continue;
-    if (!stage_.site.untangle(robot, idle)) continue;
+    if (!stage_.site.untangle(robot, idle, ahead)) continue;
     any = true;
     stage_.announce({robot, -1});
   }

@@ -87,6 +87,8 @@ class Stage {
   /// The task as the plan gives it.
   const interpreter::TaskSpec& plan_spec(int task) const { return *specs_[at(task)]; }
   const interpreter::RobotSpec& robot_spec(int robot) const { return plan.robots[at(robot)]; }
+  /// The tasks of the plan that the robot has, or may be chosen for.
+  const std::vector<int>& tasks_of(int robot) const { return tasks_of_[at(robot)]; }
   int crew_resource(int crew) const { return robots() + crew; }
   int park_task(int robot) const { return plan_tasks() + robot; }
   bool is_park(int task) const { return task >= plan_tasks(); }

@@ -73,7 +73,7 @@ class Drive {
       movable.push_back(traffic_.waits(v) || jobs_[static_cast<std::size_t>(v)].empty());
     }
     for (int v = 0; v < traffic_.vehicles(); ++v) {
-      if (traffic_.waits(v) && traffic_.untangle(v, movable, now_)) return true;
+      if (traffic_.waits(v) && traffic_.untangle(v, movable, jobs_, now_)) return true;
     }
     return false;
   }
@@ -161,6 +161,48 @@ TEST(Traffic, GivesWayIntoASiding) {
   Drive drive(Traffic(network_of(description), {{1, 1, 0}, {1, 1, 3}}), {{3}, {0}}, 1, 5);
   drive.run();
   EXPECT_TRUE(drive.all_done());
+}
+
+/// Nodes 0 to 5; lanes from node to node, one way each.
+lanes::NetworkDescription one_way(const std::vector<std::pair<int, int>>& lanes) {
+  lanes::NetworkDescription description;
+  description.classes.push_back({"road", 2, 4, 1});
+  for (int i = 0; i < 6; ++i) description.nodes.push_back({"n" + std::to_string(i), 10.0 * i});
+  for (const auto& [a, b] : lanes) description.lanes.push_back({a, b, 0, 10.0, kNone});
+  return description;
+}
+
+/// Where the vehicle that stands at node 1 goes when the one at node 0 asks it to let it by to
+/// node 2.
+NodeIndex makes_way_to(const std::vector<std::pair<int, int>>& lanes,
+                       const std::vector<NodeIndex>& ahead) {
+  Traffic traffic(network_of(one_way(lanes)), {{1, 1, 0}, {1, 1, 1}});
+  EXPECT_EQ(traffic.plan(0, 2, 0).outcome, Outcome::waits);
+  if (!traffic.untangle(0, {false, true}, {{}, ahead}, 0)) return kNone;
+  EXPECT_EQ(traffic.end_of(0), 2);
+  return traffic.end_of(1);
+}
+
+TEST(Traffic, MakesWayWhereLanesLeadBack) {
+  // Beside node 1 are node 3, from which no lane leads, and node 4, from which one leads back.
+  using Lanes = std::vector<std::pair<int, int>>;
+  const Lanes road = {{0, 1}, {1, 0}, {1, 2}, {2, 1}};
+  const auto with = [&](Lanes lanes) {
+    lanes.insert(lanes.begin(), road.begin(), road.end());
+    return lanes;
+  };
+  for (const std::vector<NodeIndex>& ahead : {std::vector<NodeIndex>{}, {0}, {3, 0}, {3}}) {
+    EXPECT_EQ(makes_way_to(with({{1, 3}, {1, 4}, {4, 1}}), ahead), 4);
+    EXPECT_EQ(makes_way_to(with({{1, 4}, {4, 1}, {1, 3}}), ahead), 4);
+  }
+  // Also when that takes a move more: the road goes on by node 4, and beside that is node 5.
+  const Lanes longer = {{0, 1}, {1, 0}, {1, 3}, {1, 4}, {4, 1}, {4, 2}, {2, 4}, {4, 5}, {5, 4}};
+  EXPECT_EQ(makes_way_to(longer, {}), 5);
+  // Where no lane leads back, one that leads on to its tasks.
+  EXPECT_EQ(makes_way_to({{0, 1}, {1, 2}, {1, 3}, {1, 4}, {4, 2}}, {2}), 4);
+  EXPECT_EQ(makes_way_to({{0, 1}, {1, 2}, {1, 4}, {1, 3}, {3, 2}}, {2}), 3);
+  // And into a dead end, if there is nothing else.
+  EXPECT_EQ(makes_way_to({{0, 1}, {1, 0}, {1, 2}, {2, 1}, {1, 3}}, {0}), 3);
 }
 
 TEST(Traffic, WaitsForEachOtherWithoutASiding) {
