@@ -152,6 +152,13 @@ class Fleet(ResultCase):
         self.assertEqual([task["reason"] for task in schedule["tasks"]],
                          ["blocked for ever: carts_2 is at yard.r_3 and does not move any more", "blocked for ever: carts_1 is at yard.r_1 and does not move any more"])
 
+    def test_it_names_who_cannot_go(self):
+        # carts_2 on the way could go to the bay; carts_3 at the goal cannot go anywhere.
+        network = """network yard { class road { speed 2 m/s; } node west at trans(0, 0, 0); node mid at trans(10, 0, 0); node trap at trans(20, 0, 0); node bay at trans(10, -10, 0);
+            lane west to mid both; lane mid to trap; lane mid to bay both; }"""
+        schedule, _ = self.run_plan(plan(network, "at west, mid, trap;", "task a { by carts_1; go at yard.trap; }"), expected=1)
+        self.assertEqual(schedule["tasks"][0]["reason"], "blocked for ever: carts_3 is at yard.trap and does not move any more")
+
     def test_a_lane_to_the_first_waypoint_that_is_barred_for_a_while(self):
         people = "task people { takes 1 min; zone box(14, -2, 0, 16, 2, 2); }"
         schedule, _ = self.run_plan(plan(yard(3), "at r[1];", people + " task a { by carts; go at yard.r[3]; via at yard.r[2]; }"))

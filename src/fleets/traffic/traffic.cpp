@@ -162,22 +162,29 @@ void Traffic::take(int vehicle, const std::vector<TimedNode>& way) {
   ++changes_;
 }
 
-/// Who stands in the way: the first on the best way of an empty network.
-PlanResult Traffic::blocked(int vehicle, NodeIndex goal) const {
-  PlanResult result;
+/// Who stands for good on the best way of an empty network, in the order of the way; nothing where
+/// no way leads.
+std::optional<std::vector<Wait>> Traffic::standing_before(int vehicle, NodeIndex goal) const {
   lanes::WayOptions options;
   options.vehicle_speed = vehicles_[at(vehicle)].speed;
   options.vehicle_width = vehicles_[at(vehicle)].width;
   const auto way = lanes::shortest_way(*network_, end_of(vehicle), goal, options);
-  result.outcome = way ? PlanResult::Outcome::waits : PlanResult::Outcome::no_way;
-  if (!way) return result;
+  if (!way) return std::nullopt;
+  std::vector<Wait> all;
   for (const NodeIndex node : way->nodes) {
     const std::vector<Turn>& turns = turns_[at(node)];
     if (turns.empty() || turns.back().vehicle == vehicle) continue;
     if (leave_of(turns.back()) < lanes::kEndOfTime) continue;
-    result.wait = {turns.back().vehicle, node};
-    break;
+    all.push_back({turns.back().vehicle, node});
   }
+  return all;
+}
+
+PlanResult Traffic::blocked(int vehicle, NodeIndex goal) const {
+  PlanResult result;
+  const auto standing = standing_before(vehicle, goal);
+  result.outcome = standing ? PlanResult::Outcome::waits : PlanResult::Outcome::no_way;
+  if (standing && !standing->empty()) result.wait = standing->front();
   return result;
 }
 
@@ -192,7 +199,9 @@ std::vector<int> Traffic::movers_for(int vehicle, const std::vector<bool>& movab
   return who;
 }
 
-MakeWayQuery Traffic::way_made_by(const std::vector<int>& who, const Ahead& ahead) const {
+/// `left_out`: a vehicle as if it were not there; -1: none.
+MakeWayQuery Traffic::way_made_by(const std::vector<int>& who, const Ahead& ahead,
+                                  int left_out) const {
   MakeWayQuery query;
   query.network = network_.get();
   for (const int each : who) {
@@ -202,7 +211,8 @@ MakeWayQuery Traffic::way_made_by(const std::vector<int>& who, const Ahead& ahea
   query.taken.resize(turns_.size(), false);
   for (std::size_t node = 0; node < turns_.size(); ++node) {
     for (const Turn& turn : turns_[node]) {
-      const bool may_leave = std::find(who.begin(), who.end(), turn.vehicle) != who.end();
+      const bool may_leave =
+          turn.vehicle == left_out || std::find(who.begin(), who.end(), turn.vehicle) != who.end();
       if (!may_leave) query.taken[node] = true;
     }
   }
@@ -213,7 +223,7 @@ bool Traffic::untangle(int vehicle, const std::vector<bool>& movable, const Ahea
                        Nanoseconds now) {
   if (wants(vehicle) == lanes::kNone || states_[at(vehicle)].stays.size() > 1) return false;
   const std::vector<int> who = movers_for(vehicle, movable);
-  const auto moves = make_way(way_made_by(who, ahead));
+  const auto moves = make_way(way_made_by(who, ahead, -1));
   if (!moves) return false;
   // One after the other: so all have their turns at the nodes in the order of the moves.
   for (const Move& move : *moves) {
@@ -227,6 +237,20 @@ bool Traffic::untangle(int vehicle, const std::vector<bool>& movable, const Ahea
   foresee(now);
   ++changes_;
   return true;
+}
+
+std::optional<Wait> Traffic::who_bars(int vehicle, const std::vector<bool>& movable) const {
+  const NodeIndex goal = wants(vehicle);
+  if (goal == lanes::kNone || states_[at(vehicle)].stays.size() > 1) return std::nullopt;
+  const auto standing = standing_before(vehicle, goal);
+  if (!standing || standing->empty()) return std::nullopt;
+  for (std::size_t i = 0; standing->size() > 1 && i < standing->size(); ++i) {
+    const Wait& each = (*standing)[i];
+    std::vector<bool> others = movable;
+    others[at(each.vehicle)] = false;
+    if (make_way(way_made_by(movers_for(vehicle, others), {}, each.vehicle))) return each;
+  }
+  return standing->front();
 }
 
 PlanResult Traffic::plan(int vehicle, NodeIndex goal, Nanoseconds now) {

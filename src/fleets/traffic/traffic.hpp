@@ -77,6 +77,9 @@ class Traffic {
   /// get ways, too, out of its way and out of each other's, as `make_way` finds them. `movable`, by
   /// vehicle: it waits itself, or has nothing to do. False and nothing changed if there are none.
   bool untangle(int vehicle, const std::vector<bool>& movable, const Ahead& ahead, Nanoseconds now);
+  /// Of a vehicle that waits and that `untangle` does not help: of those who stand on its way, the
+  /// first without whom it would get to its goal; if there is none, the first.
+  std::optional<Wait> who_bars(int vehicle, const std::vector<bool>& movable) const;
   /// Whether `plan` last found somebody in its way.
   bool waits(int vehicle) const { return wants(vehicle) != lanes::kNone; }
   /// The goal to which `plan` last found no way.
@@ -115,9 +118,10 @@ class Traffic {
   void foresee(Nanoseconds now);
   TimedWays ways_from(int vehicle, Nanoseconds now);
   void take(int vehicle, const std::vector<TimedNode>& way);
+  std::optional<std::vector<Wait>> standing_before(int vehicle, NodeIndex goal) const;
   PlanResult blocked(int vehicle, NodeIndex goal) const;
   std::vector<int> movers_for(int vehicle, const std::vector<bool>& movable) const;
-  MakeWayQuery way_made_by(const std::vector<int>& who, const Ahead& ahead) const;
+  MakeWayQuery way_made_by(const std::vector<int>& who, const Ahead& ahead, int left_out) const;
 
   std::shared_ptr<const LaneNetwork> network_;
   std::vector<Vehicle> vehicles_;

@@ -41,6 +41,16 @@ void SiteWorld::add_network(std::string name, traffic::Traffic traffic, std::vec
   networks_.push_back({std::move(name), std::move(traffic), std::move(robots)});
 }
 
+/// Who is before a vehicle at a node, and stands there or goes first there.
+interpreter::HitPair SiteWorld::in_the_way(const Network& network, const traffic::Wait& wait) {
+  const bool stands = network.traffic.node_of(wait.vehicle) == wait.node;
+  interpreter::HitPair pair{stands ? "is at" : "goes first at",
+                            network.name + "." + network.traffic.network().node(wait.node).name,
+                            network.robots[at(wait.vehicle)]};
+  pair.turn = true;
+  return pair;
+}
+
 LaneAnswer SiteWorld::next_node(int robot, const guides::LaneQuestion& question,
                                 std::optional<interpreter::HitPair>& before) {
   LaneAnswer answer;
@@ -52,13 +62,9 @@ LaneAnswer SiteWorld::next_node(int robot, const guides::LaneQuestion& question,
     traffic::Traffic& traffic = network.traffic;
     const traffic::LaneNetwork& map = traffic.network();
     const auto waits = [&](const traffic::Wait& wait) {
-      const int other = network.robots[at(wait.vehicle)];
-      const bool stands = traffic.node_of(wait.vehicle) == wait.node;
-      interpreter::HitPair pair{stands ? "is at" : "goes first at",
-                                network.name + "." + map.node(wait.node).name, other};
-      pair.turn = true;
+      interpreter::HitPair pair = in_the_way(network, wait);
       answer.kind = LaneAnswer::Kind::waits;
-      answer.reason = fmt::format("{} {} {}", entry(other).robot.name, pair.moved, pair.met);
+      answer.reason = fmt::format("{} {} {}", entry(pair.machine).robot.name, pair.moved, pair.met);
       answer.tells_way = false;
       answer.way.clear();
       before = std::move(pair);
@@ -139,6 +145,27 @@ std::optional<double> SiteWorld::lane_distance(int robot, const Eigen::Vector2d&
   return std::nullopt;
 }
 
+/// By vehicle: who is idle, or waits itself.
+std::vector<bool> SiteWorld::movable_in(const Network& network, const std::vector<bool>& idle) {
+  std::vector<bool> movable;
+  for (std::size_t i = 0; i < network.robots.size(); ++i) {
+    movable.push_back(idle[at(network.robots[i])] || network.traffic.waits(static_cast<int>(i)));
+  }
+  return movable;
+}
+
+std::optional<interpreter::HitPair> SiteWorld::who_bars(int robot,
+                                                        const std::vector<bool>& idle) const {
+  for (const Network& network : networks_) {
+    const auto found = std::find(network.robots.begin(), network.robots.end(), robot);
+    if (found == network.robots.end()) continue;
+    const int vehicle = static_cast<int>(found - network.robots.begin());
+    const auto wait = network.traffic.who_bars(vehicle, movable_in(network, idle));
+    if (wait) return in_the_way(network, *wait);
+  }
+  return std::nullopt;
+}
+
 bool SiteWorld::untangle(
     int robot, const std::vector<bool>& idle,
     const std::function<std::vector<Eigen::Vector2d>(int robot)>& places_ahead) {
@@ -147,10 +174,7 @@ bool SiteWorld::untangle(
     if (found == network.robots.end()) continue;
     const int vehicle = static_cast<int>(found - network.robots.begin());
     if (!network.traffic.waits(vehicle)) return false;
-    std::vector<bool> movable;
-    for (std::size_t i = 0; i < network.robots.size(); ++i) {
-      movable.push_back(idle[at(network.robots[i])] || network.traffic.waits(static_cast<int>(i)));
-    }
+    const std::vector<bool> movable = movable_in(network, idle);
     const std::pair state(network.traffic.changes(), movable);
     const auto known = network.tangled.find(vehicle);
     if (known != network.tangled.end() && known->second == state) return false;

@@ -305,6 +305,9 @@ class SiteWorld {
   /// tasks lead that are not over.
   bool untangle(int robot, const std::vector<bool>& idle,
                 const std::function<std::vector<Eigen::Vector2d>(int robot)>& places_ahead);
+  /// Of a robot for which there is no way out: who would have to go from where
+  /// (`Traffic::who_bars`).
+  std::optional<interpreter::HitPair> who_bars(int robot, const std::vector<bool>& idle) const;
   /// All robots of the network of a robot but it; nothing of one on no network.
   std::vector<int> robots_beside(int robot) const;
   /// Where the way of a robot leads that was moved out of the way of others: `Traffic::next_stop`.
@@ -443,6 +446,8 @@ class SiteWorld {
     std::map<int, std::pair<std::uint64_t, std::vector<bool>>> tangled = {};
   };
   std::vector<Network> networks_;
+  static std::vector<bool> movable_in(const Network& network, const std::vector<bool>& idle);
+  static interpreter::HitPair in_the_way(const Network& network, const traffic::Wait& wait);
 
   double contact_tolerance_;
   collision::CollisionWorld obstacles_;

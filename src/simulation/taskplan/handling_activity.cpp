@@ -284,8 +284,9 @@ std::string HandlingActivity::text_of(const ActiveTask& task, const Stage& stage
   return text_of_way(stage, task.task, wait_.blockers[static_cast<std::size_t>(target.number)]);
 }
 
-std::string HandlingActivity::standstill_reason(const ActiveTask&, const Stage& stage) const {
-  return wait_.blockers.empty() ? std::string() : wait_.standstill_reason(stage);
+std::string HandlingActivity::standstill_reason(const ActiveTask& task, const Stage& stage) const {
+  return wait_.blockers.empty() ? std::string()
+                                : wait_.standstill_reason(stage, stage.spec(task.task).robot);
 }
 
 bool HandlingActivity::wakes_at(const ActiveTask&, const Stage& stage,

@@ -157,13 +157,18 @@ void MachineWait::note_wait(Stage& stage, int task) const {
       task, {stage.now(), schedule::Held::machine, first.robot, holder, stage.parking_of(holder)});
 }
 
-std::string MachineWait::standstill_reason(const Stage& stage) const {
-  const Blocker& blocker = blockers.front();
+std::string MachineWait::standstill_reason(const Stage& stage, int own) const {
+  Blocker blocker = blockers.front();
   if (blocker.moving >= 0) {
     const std::string stop = text_of_stop(stage, blocker);
     return fmt::format(
         "blocked for ever: {}{}", meeting(blocker),
         stop.empty() ? ", which comes by again and again, and no machine moves" : stop);
+  }
+  if (blocker.turn) {
+    // The first on its way could perhaps go, and another one behind it cannot.
+    const auto bars = stage.site.who_bars(own, stage.idle_robots());
+    if (bars) blocker = Blocker::of(*bars);
   }
   std::string reason =
       blocker.turn

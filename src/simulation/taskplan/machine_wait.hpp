@@ -56,7 +56,8 @@ struct MachineWait {
   void wait_for_timetables(Stage& stage, int task) const;
   /// Where it is known that the task waited for who was in the way, for the critical path.
   void note_wait(Stage& stage, int task) const;
-  std::string standstill_reason(const Stage& stage) const;
+  /// `own`: the robot that waits, -1: none.
+  std::string standstill_reason(const Stage& stage, int own) const;
   /// Whom the trace names.
   std::string first_name(const Stage& stage) const;
 };

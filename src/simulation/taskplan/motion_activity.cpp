@@ -476,8 +476,10 @@ std::string MotionActivity::text_of(const ActiveTask& task, const Stage& stage,
   return text_of_way(stage, task.task, wait_.blockers[static_cast<std::size_t>(target.number)]);
 }
 
-std::string MotionActivity::standstill_reason(const ActiveTask&, const Stage& stage) const {
-  return doing_ == Doing::waiting_for_machine ? wait_.standstill_reason(stage) : std::string();
+std::string MotionActivity::standstill_reason(const ActiveTask& task, const Stage& stage) const {
+  return doing_ == Doing::waiting_for_machine
+             ? wait_.standstill_reason(stage, stage.spec(task.task).robot)
+             : std::string();
 }
 
 bool MotionActivity::wakes_at(const ActiveTask&, const Stage& stage, const SiteEvent& event) const {

@@ -241,11 +241,7 @@ std::vector<Eigen::Vector2d> Simulation::places_ahead(int robot) const {
 /// Where vehicles of fleets stand in each other's way, those that wait or are idle get out of it.
 bool Simulation::untangle_fleets() {
   if (plan_.fleets.empty()) return false;
-  std::vector<bool> idle;
-  for (int robot = 0; robot < stage_.robots(); ++robot) {
-    idle.push_back(stage_.allocator->state(robot).holder() < 0 && !stage_.site.load(robot) &&
-                   stage_.breakdowns.out_until(robot) <= stage_.now());
-  }
+  const std::vector<bool> idle = stage_.idle_robots();
   const auto ahead = [this](int robot) { return places_ahead(robot); };
   bool any = false;
   for (std::size_t i = 0; i < stage_.active.size(); ++i) {

@@ -285,6 +285,15 @@ WaitTarget Stage::move_of(int robot, WaitTarget::Kind kind, int number) const {
   return target;
 }
 
+std::vector<bool> Stage::idle_robots() const {
+  std::vector<bool> idle;
+  for (int robot = 0; robot < robots(); ++robot) {
+    idle.push_back(allocator->state(robot).holder() < 0 && !site.load(robot) &&
+                   breakdowns.out_until(robot) <= now());
+  }
+  return idle;
+}
+
 /// Of those who hold it so many must give it back as to make up what is missing; those for whom it
 /// is kept must all be over.
 void Stage::add_resource(WaitSet& waits, int task, const Share& share, int choice) const {

@@ -163,6 +163,8 @@ class Stage {
 
   /// Who may move a robot out of the way: who has it, else the tasks that will have it some day.
   WaitTarget move_of(int robot, WaitTarget::Kind kind, int number) const;
+  /// By robot: whether nobody has it, it carries nothing, and works.
+  std::vector<bool> idle_robots() const;
   /// For what others hold, or is kept for others, of what a task by pools may have.
   void add_choices(WaitSet& waits, int task) const;
   /// For a robot or crew that others hold or that is kept for others; `choice` that needs it.

@@ -290,8 +290,9 @@ std::string WorkActivity::text_of(const ActiveTask& task, const Stage& stage,
   return text_of_way(stage, task.task, wait_.blockers[static_cast<std::size_t>(target.number)]);
 }
 
-std::string WorkActivity::standstill_reason(const ActiveTask&, const Stage& stage) const {
-  if (doing_ == Doing::waiting_for_machine) return wait_.standstill_reason(stage);
+std::string WorkActivity::standstill_reason(const ActiveTask& task, const Stage& stage) const {
+  if (doing_ == Doing::waiting_for_machine)
+    return wait_.standstill_reason(stage, stage.spec(task.task).robot);
   if (doing_ != Doing::waiting_for_crew) return {};
   const int holder = stage.allocator->state(crew_).holder();
   return fmt::format("it never gets {}, which {} holds", stage.allocator->name(crew_),

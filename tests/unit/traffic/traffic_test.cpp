@@ -205,6 +205,20 @@ TEST(Traffic, MakesWayWhereLanesLeadBack) {
   EXPECT_EQ(makes_way_to({{0, 1}, {1, 0}, {1, 2}, {2, 1}, {1, 3}}, {0}), 3);
 }
 
+TEST(Traffic, NamesWhoCannotGoNotWhoCould) {
+  // Vehicle 1 at node 1 could go to node 4 and lets nobody by to node 3, where vehicle 2 is for
+  // good.
+  const auto network = network_of(one_way({{0, 1}, {1, 0}, {1, 3}, {1, 4}, {4, 1}}));
+  Traffic traffic(network, {{1, 1, 0}, {1, 1, 1}, {1, 1, 3}});
+  EXPECT_EQ(traffic.plan(0, 3, 0).outcome, Outcome::waits);
+  const std::vector<bool> movable = {false, true, true};
+  EXPECT_FALSE(traffic.untangle(0, movable, {}, 0));
+  const auto wait = traffic.who_bars(0, movable);
+  ASSERT_TRUE(wait);
+  EXPECT_EQ(wait->vehicle, 2);
+  EXPECT_EQ(wait->node, 3);
+}
+
 TEST(Traffic, WaitsForEachOtherWithoutASiding) {
   Drive drive(Traffic(network_of(row(4)), {{1, 1, 0}, {1, 1, 3}}), {{3}, {0}}, 1, 5);
   drive.run();
