@@ -151,6 +151,18 @@ class Moving(ResultCase):
         done = rubicon("verify", self.out)
         self.assertIn("at the beginning visitor is at least", done.stdout + done.stderr)
 
+    def test_a_second_cause_tells_how_late_it_is_by_then(self):
+        # It stands 1 m before the cars, from 3 s on: for the first one, from 4 s on for the second one, until 6 s.
+        self.run_plan("""plan p { robot left "car.robot" { start x 3.5; } robot right "car.robot" { start x 1.5; }
+  task go { by left; go x 12; } task follow { by right; go x 10; } %s }""" % (VISITOR % "path 0 s trans(6, -4, 0), 8 s trans(6, 4, 0);"))
+        self.assertEqual(self.stops(), [(3, "left.car", 0), (4, "right.car", 1), (6, "", 3)])
+        self.assertEqual(rubicon("verify", self.out).returncode, 0)
+
+        def with_delay_of_before(result):
+            next(record for record in result.records if record["type"] == "moving" and record["by"] == "right.car")["delay"] = 0
+
+        self.assertIn("visitor: it is 1 s late, the trace says 0 s", self.faults_of(with_delay_of_before))
+
     def test_two_that_face_each_other(self):
         _, tasks = self.run_plan(car_plan("path 0 s trans(12, 0, 0), 12 s trans(0, 0, 0);"), expected=1)
         self.assertEqual(tasks["go"]["result"], "rejected")

@@ -147,7 +147,9 @@ std::vector<MovingEvent> SiteWorld::look_at_movings() {
     } else {
       continue;
     }
-    events.push_back({i, now_, std::move(stop), thing.state().delay});
+    const std::optional<MovingStop>& stands = thing.state().stop;
+    const Ticks stood_for = stands ? now_ - stands->since : 0;
+    events.push_back({i, now_, std::move(stop), thing.state().delay + stood_for});
     // Whether it stands or goes decides what machines may do, and other things with a timetable.
     ++changes_;
     if (thing.state().stop) looked_at = changes_of(*thing.state().stop);
