@@ -391,6 +391,39 @@ class ChartsTest(ResultCase):
             done = rubicon("verify", path)
             self.assertEqual(done.returncode, 1, change.__name__ + ": " + done.stdout + done.stderr)
             self.assertIn(message, done.stdout, change.__name__)
+        # What is told of the step at 35 s: each of these fields follows from the charts.
+        def put(value, *keys):
+            def change(result):
+                at = result["steps"][1]
+                for key in keys[:-1]:
+                    at = at[key]
+                at[keys[-1]] = value
+
+            return change
+
+        for change, message in [
+            (put("ROB2", "report", "robot"), "ROB2 reports an obstacle in B3 to B3B5, and is not there"),
+            (put(3.25, "report", "travelled"), "3.25 m along its lane, and is 2.25 m along"),
+            (put(6.0, "report", "gap"), "past the obstacle are 5 m, and it is said to be 6 m"),
+            (put(4.0, "report", "obstacle_to"), "past the obstacle are 4 m"),
+            (put(0.5, "report", "obstacle_from"), "the report tells"),
+            (put("it is behind", "report", "doubt"), "ROB1 can see B3 to B3B5, and that is doubted"),
+            (put("ROB2", "records", 0, "robot"), "do not begin with what the report says"),
+            (put("reportedx", "records", 1, "kind"), "of the unknown kind 'reportedx'"),
+            (put("nothing is closed", "records", 1, "told"), "a record tells 'nothing is closed'"),
+            (put("B5", "records", 2, "node"), "do not begin with what the report says"),
+            (put("ROB1", "records", 3, "to"), "there and then they do not meet so"),
+            (put("B5", "records", 4, "node"), "there and then they do not meet so"),
+            (put(112_000_000_000, "records", 4, "time_ns"), "there and then they do not meet so"),
+            (put(40_000_000_000, "records", 2, "time_ns"), "is told of 40 s"),
+            (lambda result: result["steps"][0].update(time_ns=1), "the first plan is made at 0 s"),
+        ]:
+            result = json.loads(good)
+            change(result)
+            self.write("charts.json", json.dumps(result))
+            done = rubicon("verify", path)
+            self.assertEqual(done.returncode, 1, message + ": " + done.stdout + done.stderr)
+            self.assertIn(message, done.stdout)
         for text in ('{"format": "rubicon-charts"}', good[: len(good) // 2], good.replace('"B8"', '"B9999"', 1)):
             self.write("charts.json", text)
             self.assertEqual(rubicon("verify", path).returncode, 2)

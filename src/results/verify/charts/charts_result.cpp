@@ -21,6 +21,7 @@ class ChartsReader {
     const JsonFields policy = fields_.object("policy");
     result_.tolerance = nanoseconds(policy, "tolerance_ns");
     result_.delay = nanoseconds(policy, "delay_ns");
+    result_.clearance = nanoseconds(policy, "clearance_ns");
     result_.minimise = policy.text("minimise");
     if (result_.minimise != "time" && result_.minimise != "distance" &&
         result_.minimise != "cost") {
@@ -227,7 +228,11 @@ class ChartsReader {
     report.robot = robot(fields, "robot");
     report.lane = lane_or_none(fields, "lane");
     if (report.lane < 0) fields.fail("a lane");
+    report.told = fields.text("told");
+    report.is_doubted = fields.has("doubt");
     if (report.kind == "obstacle") {
+      report.travelled = fields.number("travelled");
+      report.gap = fields.number("gap");
       report.from = fields.number("obstacle_from");
       report.to = fields.number("obstacle_to");
       report.way = fields.text("way");
@@ -242,6 +247,8 @@ class ChartsReader {
     ChartRecord record;
     record.kind = fields.text("kind");
     record.robot = robot(fields, "robot");
+    record.time = nanoseconds(fields, "time_ns");
+    record.told = fields.text("told");
     record.lane = lane_or_none(fields, "lane");
     record.node = node_or_none(fields, "node");
     if (record.kind == "yields") {

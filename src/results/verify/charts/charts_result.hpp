@@ -50,6 +50,8 @@ struct RobotChart {
 
 struct ChartRecord {
   std::string kind;
+  Ticks time = 0;
+  std::string told;
   int robot = -1;
   int lane = -1;
   int node = -1;
@@ -64,7 +66,12 @@ struct ChartReport {
   std::string kind;
   int robot = -1;
   int lane = -1;
-  double from = 0, to = 0;  ///< of an obstacle, m
+  std::string told;
+  bool is_doubted = false;
+  // Of an obstacle:
+  double from = 0, to = 0;  ///< m across
+  double travelled = 0;     ///< m along the lane
+  double gap = 0;           ///< m
   std::string way;
 };
 
@@ -107,7 +114,7 @@ struct ChartBarrier {
 
 /// What `rubicon run` wrote of a network with policy charts.
 struct ChartsResult {
-  Ticks tolerance = 0, delay = 0;
+  Ticks tolerance = 0, delay = 0, clearance = 0;
   std::string minimise;
   std::string outcome;
   std::vector<std::string> nodes;

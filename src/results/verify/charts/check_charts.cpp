@@ -10,8 +10,10 @@
 #include <tuple>
 #include <utility>
 
+#include "src/results/verify/charts/chart_records.hpp"
 #include "src/results/verify/charts/charts_result.hpp"
 #include "src/results/verify/charts/least_ways.hpp"
+#include "src/results/verify/charts/whereabouts.hpp"
 
 namespace rubicon::verify {
 
@@ -31,41 +33,6 @@ constexpr double kSameLength = 1e-9;
 std::size_t place(int i) { return static_cast<std::size_t>(i); }
 
 bool nearly(Ticks a, Ticks b) { return std::abs(a - b) <= kRounding; }
-
-/// Where a robot is at a moment, by the chart that held until then.
-struct Whereabouts {
-  enum class Kind { not_started, at_node, at_present_place, in_motion };
-  Kind kind = Kind::not_started;
-  int node = -1;  ///< at_node
-  /// The stop to which it drives, or that comes next; the number of all where none does.
-  std::size_t next = 0;
-  Ticks remaining = 0;  ///< in_motion: of the driving time to it
-};
-
-Whereabouts whereabouts(const std::vector<ChartStop>& stops, Ticks now) {
-  Whereabouts result;
-  if (stops.front().arrival > now) {
-    result.kind = stops.front().node >= 0 ? Whereabouts::Kind::not_started
-                                          : Whereabouts::Kind::at_present_place;
-    result.next = stops.front().node >= 0 ? 0 : 1;
-    return result;
-  }
-  std::size_t last = 0;
-  while (last + 1 < stops.size() && stops[last + 1].arrival <= now) ++last;
-  result.next = last + 1;
-  if (result.next < stops.size()) {
-    const ChartStop& next = stops[result.next];
-    if (next.arrival - next.travel < now && stops[last].arrival < now) {
-      result.kind = Whereabouts::Kind::in_motion;
-      result.remaining = std::min(next.travel, next.arrival - now);
-      return result;
-    }
-  }
-  result.kind =
-      stops[last].node >= 0 ? Whereabouts::Kind::at_node : Whereabouts::Kind::at_present_place;
-  result.node = stops[last].node;
-  return result;
-}
 
 class ChartsCheck {
  public:
@@ -163,6 +130,7 @@ class ChartsCheck {
     check_closed();
     least_.close(step().closed);
     make_planned();
+    for (std::string& each : chart_record_faults(result_, step_, planned_)) fault(std::move(each));
     for (std::size_t i = 0; i < result_.robots.size(); ++i) {
       verdict_.arrivals += static_cast<long long>(step().charts[i].stops.size());
       if (!check_start(i)) continue;
@@ -179,6 +147,7 @@ class ChartsCheck {
   void check_time() {
     if (step_ == 0) {
       if (step().report) fault("the first plan answers a report");
+      if (step().time != 0) fault("the first plan is made at 0 s");
       return;
     }
     if (!step().report) {
