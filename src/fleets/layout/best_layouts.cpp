@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace rubicon::layout {
@@ -19,6 +21,8 @@ constexpr int kMostColumnRows = 12;   ///< so many rows of columns may decide wh
 constexpr double kSameShift = 0.001;  ///< m
 /// Trips that are shorter, or more in an hour, by less of them: no reason to tell of a layout.
 constexpr double kWorthTelling = 0.005;
+/// s, and trips in an hour: less is rounding.
+constexpr double kSameTrips = 1e-6;
 
 /// Where the first aisle may lie: ascending.
 std::vector<double> shifts_of(const HallSpace& space, const Sizes& sizes, Ways ways) {
@@ -88,12 +92,71 @@ void check(const Hall& hall, const Sizes& sizes) {
   }
 }
 
+/// What decides where a layout stands in the table: the less the better.
+struct Worth {
+  std::int64_t lost_modules, trip, lost_trips;
+
+  explicit Worth(const Layout& layout)
+      : lost_modules(-static_cast<std::int64_t>(layout.modules.size())),
+        trip(std::llround(layout.mean_trip / kSameTrips)),
+        lost_trips(-std::llround(layout.trips_per_hour / kSameTrips)) {}
+  auto as_tuple() const { return std::tie(lost_modules, trip, lost_trips); }
+};
+
+bool is_tried_before(const Choice& a, const Choice& b) {
+  return std::tie(a.along_y, a.ways, a.cross_aisles, a.shift) <
+         std::tie(b.along_y, b.ways, b.cross_aisles, b.shift);
+}
+
 bool beats(const Layout& a, const Layout& b) {
+  const Worth one(a), other(b);
+  if (one.as_tuple() == other.as_tuple()) return is_tried_before(a.choice, b.choice);
+  return one.lost_modules <= other.lost_modules && one.trip <= other.trip &&
+         one.lost_trips <= other.lost_trips;
+}
+
+/// Whether who knows of `a` need not be told of `b`.
+bool tells_of(const Layout& a, const Layout& b) {
   return a.modules.size() >= b.modules.size() && a.mean_trip <= b.mean_trip * (1 + kWorthTelling) &&
          a.trips_per_hour >= b.trips_per_hour * (1 - kWorthTelling);
 }
 
 }  // namespace
+
+void add_to_front(std::vector<Layout>& front, Layout layout) {
+  const auto is_better = [&](const Layout& other) { return beats(other, layout); };
+  if (std::any_of(front.begin(), front.end(), is_better)) return;
+  std::erase_if(front, [&](const Layout& other) { return beats(layout, other); });
+  front.push_back(std::move(layout));
+}
+
+std::vector<Layout> thinned(std::vector<Layout> front) {
+  std::sort(front.begin(), front.end(), [](const Layout& a, const Layout& b) {
+    const Worth one(a), other(b);
+    return one.as_tuple() != other.as_tuple() ? one.as_tuple() < other.as_tuple()
+                                              : is_tried_before(a.choice, b.choice);
+  });
+  // How many of those that stay tell of each.
+  std::vector<int> told(front.size(), 0);
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    for (const Layout& other : front) told[i] += tells_of(other, front[i]) ? 1 : 0;
+  }
+  std::vector<bool> stays(front.size(), true);
+  for (std::size_t i = front.size(); i-- > 0;) {
+    stays[i] = false;
+    for (std::size_t k = 0; k < front.size(); ++k) {
+      if (told[k] == 1 && tells_of(front[i], front[k])) stays[i] = true;
+    }
+    for (std::size_t k = 0; !stays[i] && k < front.size(); ++k) {
+      told[k] -= tells_of(front[i], front[k]) ? 1 : 0;
+    }
+  }
+  std::vector<Layout> table;
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    if (stays[i]) table.push_back(std::move(front[i]));
+  }
+  return table;
+}
 
 BestLayouts best_layouts(const Hall& hall, const Sizes& sizes) {
   check(hall, sizes);
@@ -108,18 +171,12 @@ BestLayouts best_layouts(const Hall& hall, const Sizes& sizes) {
           Layout layout = judge(choice, arrange(space, sizes, choice), sizes);
           if (layout.modules.empty()) continue;
           ++found.worked;
-          const auto is_beaten = [&](const Layout& other) { return beats(other, layout); };
-          if (std::any_of(found.best.begin(), found.best.end(), is_beaten)) continue;
-          std::erase_if(found.best, [&](const Layout& other) { return beats(layout, other); });
-          found.best.push_back(std::move(layout));
+          add_to_front(found.best, std::move(layout));
         }
       }
     }
   }
-  std::stable_sort(found.best.begin(), found.best.end(), [](const Layout& a, const Layout& b) {
-    return a.modules.size() != b.modules.size() ? a.modules.size() > b.modules.size()
-                                                : a.mean_trip < b.mean_trip;
-  });
+  found.best = thinned(std::move(found.best));
   return found;
 }
 

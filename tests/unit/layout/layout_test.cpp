@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "src/fleets/layout/best_layouts.hpp"
@@ -205,6 +206,93 @@ TEST(Layout, AislesAndCrossAislesHaveWidthsOfTheirOwn) {
   EXPECT_EQ(modules(2, 2), 208u);
   EXPECT_EQ(modules(2, 3.6), 192u);
   EXPECT_GT(modules(3.6, 2), modules(3.6, 3.6));
+}
+
+/// A layout of nothing but what it is worth.
+Layout worth(std::size_t modules, double trip, double per_hour) {
+  Layout layout;
+  layout.modules.resize(modules);
+  layout.mean_trip = trip;
+  layout.trips_per_hour = per_hour;
+  return layout;
+}
+
+std::vector<Layout> table_of(const std::vector<Layout>& tried) {
+  std::vector<Layout> front;
+  for (const Layout& each : tried) add_to_front(front, each);
+  return thinned(std::move(front));
+}
+
+bool is_same(const Layout& a, const Layout& b) {
+  return a.modules.size() == b.modules.size() && std::abs(a.mean_trip - b.mean_trip) < 1e-6 &&
+         std::abs(a.trips_per_hour - b.trips_per_hour) < 1e-4;
+}
+
+// What took the place of another, though it was a little worse, had its own place taken, and so on:
+// the table had nothing near the first.
+TEST(Layout, TheTableTellsOfAllThatWasTriedInWhicheverOrder) {
+  TestRandom random(7);
+  for (int run = 0; run < 200; ++run) {
+    std::vector<Layout> tried;
+    for (int i = 0; i < 40; ++i) {
+      const double share = random.whole(0, 60) / 1000.0;
+      tried.push_back(worth(static_cast<std::size_t>(random.whole(20, 40)), 30 * (1 + share),
+                            500 * (1 + share) + random.whole(-4, 4)));
+      tried.back().choice.shift = i;
+    }
+    const std::vector<Layout> table = table_of(tried);
+    for (const Layout& each : tried) {
+      EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const Layout& other) {
+        return other.modules.size() >= each.modules.size() &&
+               other.mean_trip <= each.mean_trip * 1.005001 &&
+               other.trips_per_hour >= each.trips_per_hour * 0.994999;
+      }));
+    }
+    for (int i = 39; i > 0; --i) {
+      std::swap(tried[static_cast<std::size_t>(i)],
+                tried[static_cast<std::size_t>(random.whole(0, i))]);
+    }
+    const std::vector<Layout> again = table_of(tried);
+    ASSERT_EQ(again.size(), table.size()) << run;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      EXPECT_EQ(again[i].choice.shift, table[i].choice.shift) << run;
+    }
+  }
+  // Of three in a chain the last does not tell of the first.
+  const std::vector<Layout> chain = table_of(
+      {worth(30, 30, 500), worth(31, 30.12, 500), worth(32, 30.24, 500), worth(33, 30.36, 500)});
+  ASSERT_EQ(chain.size(), 2u);
+  EXPECT_EQ(chain[0].modules.size(), 33u);
+  EXPECT_EQ(chain[1].modules.size(), 31u);
+}
+
+template <typename Change>
+Hall changed(Hall hall, Change change) {
+  for (Point& each : hall.outline) change(each);
+  for (Polygon& polygon : hall.obstacles) {
+    for (Point& each : polygon) change(each);
+  }
+  for (Gate& gate : hall.gates) change(gate.place);
+  return hall;
+}
+
+void expect_same_table(const BestLayouts& a, const BestLayouts& b) {
+  EXPECT_EQ(a.tried, b.tried);
+  EXPECT_EQ(a.worked, b.worked);
+  ASSERT_EQ(a.best.size(), b.best.size());
+  for (std::size_t i = 0; i < a.best.size(); ++i) EXPECT_TRUE(is_same(a.best[i], b.best[i])) << i;
+}
+
+TEST(Layout, AHallThatIsTurnedIsTheSame) {
+  Hall hall;
+  hall.outline = rectangle(18.8, 22.6);
+  hall.obstacles = {square({2.9, 13.7}, 0.4)};
+  hall.gates = {{"g0", {-2, 10.7}}, {"g1", {12.1, -2}}};
+  Sizes sizes = sizes_of(2.7, 1.1, 2);
+  sizes.cross_lane = sizes.spacing = 2.6;
+  sizes.cross_speed = 1.5;
+  const Hall turned = changed(hall, [](Point& place) { std::swap(place.x, place.y); });
+  expect_same_table(best_layouts(hall, sizes), best_layouts(turned, sizes));
 }
 
 TEST(Layout, WhatIsToldOfRandomHallsHolds) {
