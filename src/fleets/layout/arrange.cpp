@@ -162,15 +162,21 @@ class Arranger {
               [](const Line::Stop& a, const Line::Stop& b) { return a.place < b.place; });
   }
 
-  /// The stop of a line that is next to a place.
+  /// The stop of a line that is next to a place; of two as near the first.
   static const Line::Stop* nearest(const Line& line, double place) {
     const Line::Stop* best = nullptr;
     for (const Line::Stop& each : line.stops) {
-      if (best == nullptr || std::abs(each.place - place) < std::abs(best->place - place)) {
+      if (best == nullptr ||
+          std::abs(each.place - place) < std::abs(best->place - place) - kSamePlace) {
         best = &each;
       }
     }
     return best;
+  }
+
+  /// Whether a stop is nearer to a place than the spacing; exactly so far away it is not.
+  bool is_beside(const Line::Stop& stop, double place) const {
+    return std::abs(stop.place - place) < sizes_.spacing - kSamePlace;
   }
 
   /// How a gate may be joined to a line: where, and the corridor that must be free.
@@ -185,7 +191,7 @@ class Arranger {
     Landing found;
     found.place = line.is_cross ? gate.y : gate.x;
     if (const Line::Stop* const stop = nearest(line, found.place)) {
-      if (std::abs(stop->place - found.place) < sizes_.spacing) {
+      if (is_beside(*stop, found.place)) {
         found.place = stop->place;
         found.node = stop->node;
       }
@@ -248,7 +254,7 @@ class Arranger {
     NodeIndex node = lanes::kNone;
     if (stop != nullptr && std::abs(stop->place - landing.place) < kOnLane) {
       node = stop->node;
-    } else if (stop == nullptr || std::abs(stop->place - landing.place) >= sizes_.spacing) {
+    } else if (stop == nullptr || !is_beside(*stop, landing.place)) {
       const Point place = place_on(beside, landing.place);
       if (!space_.is_free(about(beside, landing.place))) return;
       node = add_node(place, heading_of(beside), true);
@@ -336,7 +342,7 @@ class Arranger {
         continue;
       }
       const Line::Stop* const stop = nearest(line, x + sizes_.length / 2);
-      if (std::abs(stop->place - x - sizes_.length / 2) < sizes_.spacing) {
+      if (is_beside(*stop, x + sizes_.length / 2)) {
         made_.modules.push_back({box, stop->node});
       }
       x += sizes_.length;

@@ -266,6 +266,16 @@ TEST(Layout, TheTableTellsOfAllThatWasTriedInWhicheverOrder) {
   EXPECT_EQ(chain[1].modules.size(), 31u);
 }
 
+Hall hall_of_decimetres() {
+  Hall hall;
+  hall.outline = rectangle(16.5, 20.2);
+  for (const Point place : {Point{9.5, 4.9}, {4.3, 14.3}, {12.5, 6.3}, {11.8, 3.7}}) {
+    hall.obstacles.push_back(square(place, 0.4));
+  }
+  hall.gates = {{"g0", {-2, 15.2}}, {"g1", {14.1, -2}}};
+  return hall;
+}
+
 template <typename Change>
 Hall changed(Hall hall, Change change) {
   for (Point& each : hall.outline) change(each);
@@ -281,6 +291,32 @@ void expect_same_table(const BestLayouts& a, const BestLayouts& b) {
   EXPECT_EQ(a.worked, b.worked);
   ASSERT_EQ(a.best.size(), b.best.size());
   for (std::size_t i = 0; i < a.best.size(); ++i) EXPECT_TRUE(is_same(a.best[i], b.best[i])) << i;
+}
+
+TEST(Layout, AHallThatIsMovedIsTheSame) {
+  Sizes sizes = sizes_of(2.7, 1.1, 2.6);
+  sizes.cross_speed = 1.5;
+  std::vector<Hall> halls = {hall_of_decimetres()};
+  TestRandom random(11);
+  for (int run = 0; run < test::cases(6); ++run) halls.push_back(random_hall(random));
+  for (const Hall& hall : halls) {
+    const BestLayouts here = best_layouts(hall, sizes);
+    for (const Point way : {Point{100, -60}, Point{30.3, 0.7}, Point{512345.6, 5400012.3}}) {
+      const BestLayouts there = best_layouts(changed(hall,
+                                                     [&](Point& place) {
+                                                       place.x += way.x;
+                                                       place.y += way.y;
+                                                     }),
+                                             sizes);
+      expect_same_table(here, there);
+      if (here.best.empty() || there.best.empty()) continue;
+      const Rectangle& box = here.best[0].modules[0].box;
+      const Rectangle& moved = there.best[0].modules[0].box;
+      EXPECT_NEAR(moved.x0, box.x0 + way.x, 1e-6);
+      EXPECT_NEAR(moved.y1, box.y1 + way.y, 1e-6);
+      EXPECT_NEAR(there.best[0].network.nodes[0].x, hall.gates[0].place.x + way.x, 1e-6);
+    }
+  }
 }
 
 TEST(Layout, AHallThatIsTurnedIsTheSame) {
