@@ -83,6 +83,29 @@ class Support(unittest.TestCase):
             rows = self.run_plan(slab, box("b", 0), move("set", "b", 10, z), exit_code=1)
             self.assertEqual(rows["set"]["reason"], f"b does not stand: the nearest below is slab, {told} lower")
 
+    def test_exactly_one_millimetre_inside_stands_wherever_it_is(self):
+        for x in (0, 1, 2, 7):
+            rows = self.run_plan(box("base", x, height=1), box("slab", -20), move("set", "slab", f"({x} + 0.499)", 1))
+            self.assertEqual(rows["set"]["result"], "done", x)
+        rows = self.run_plan(box("base", 1, height=1), box("slab", -20), move("set", "slab", 1.4995, 1), exit_code=1)
+        self.assertIn("its centre of mass is only 0.5 mm inside of what carries it, base", rows["set"]["reason"])
+
+    def verdict_if_strict(self, *items):
+        """What verify says of what a plan only warned of."""
+        self.run_plan("  support warn;\n", *items)
+        trace = os.path.join(self.folder, "out", "trace.jsonl")
+        with open(trace, encoding="utf-8") as file:
+            text = file.read()
+        with open(trace, "w", encoding="utf-8") as file:
+            file.write(text.replace('"mode":"warn"', '"mode":"on"', 1))
+        os.remove(os.path.join(self.folder, "out", "report.html"))  # of the other trace
+        return self.rubicon("verify", "out").stdout
+
+    def test_verify_asks_for_one_millimetre_too(self):
+        items = [box("base", 10, height=1, more="mass 1 t;"), box("slab", 0, more="mass 1 t;")]
+        for inside, fault in ((0.0015, ""), (0.0005, "slab does not stand: its centre of mass is not 1 mm inside of what carries it")):
+            self.assertIn(fault or "no fault", self.verdict_if_strict(*items, move("set", "slab", 10.5 - inside, 1)))
+
     def test_the_plan_says_how_strict_it_is(self):
         floating = box("b", 0) + move("set", "b", 10, 1)
         reason = "b does not stand: the nearest below is site, 1000 mm lower"

@@ -26,6 +26,12 @@ constexpr double kRounding = 1e-9;
 /// m: so far inside of what carries it must be a centre of mass. Reason: a thing on an edge turns.
 constexpr double kMargin = 1e-3;
 
+/// m: less than the margin by so much is rounding. Consequence: where a plan lies decides nothing.
+constexpr double kMarginRounding = 1e-6;
+
+/// m: nearer to an edge than this is on it.
+constexpr double kOnEdge = 5e-5;
+
 /// m: how exactly the distance from what a component is fixed to is measured.
 constexpr double kResolution = 1e-4;
 
@@ -36,14 +42,21 @@ std::string length_text(double metres) {
                             : fmt::format("{:.0f} mm", millimetres);
 }
 
-/// How much lower the nearest is than what carries: with as many digits as tell it from the gap.
-std::string lower_text(double metres, double gap) {
+/// With as many digits as tell it from the limit that it misses.
+std::string length_text(double metres, double limit) {
   std::string text = length_text(metres);
-  for (int digits = 1; digits <= 3 && text == length_text(gap); ++digits) {
+  for (int digits = 1; digits <= 3 && text == length_text(limit); ++digits) {
     const std::string exact = fmt::format("{:.{}f} mm", metres * 1000, digits);
-    if (exact != fmt::format("{:.{}f} mm", gap * 1000, digits)) text = exact;
+    if (exact != fmt::format("{:.{}f} mm", limit * 1000, digits)) text = exact;
   }
   return text;
+}
+
+/// Where a centre of mass is that is so far inside of what carries it; outside: negative.
+std::string place_text(double inside) {
+  if (std::abs(inside) < kOnEdge) return "on the edge";
+  return inside < 0 ? length_text(-inside) + " outside"
+                    : "only " + length_text(inside, kMargin) + " inside";
 }
 
 }  // namespace
@@ -355,7 +368,7 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, const Carr
   const double inside = depth_in_polygon(convex_hull(points), centre);
   // What has no weight turns nothing in the balance of forces: it is judged by its middle.
   const bool balances = plan_.support.equilibrium && spec.mass > 0;
-  answer.stands = balances ? !points.empty() : inside >= kMargin;
+  answer.stands = balances ? !points.empty() : inside >= kMargin - kMarginRounding;
   if (answer.stands) return answer;
   if (!points.empty()) {
     if (const auto brace = holder(spec.braced_by, component, X_WO, carriers)) {
@@ -371,9 +384,8 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, const Carr
     constexpr std::size_t kMostNames = 3;
     const std::size_t more = names.size() > kMostNames ? names.size() - kMostNames : 0;
     names.resize(names.size() - more);
-    const std::string where = -inside < kMargin ? "on the edge" : length_text(-inside) + " outside";
     answer.reason =
-        fmt::format("its centre of mass is {} of what carries it, {}{}", where,
+        fmt::format("its centre of mass is {} of what carries it, {}{}", place_text(inside),
                     fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
   } else if (not_standing) {
     answer.reason = fmt::format("it rests on {}, which does not stand", name_of(*not_standing));
@@ -430,7 +442,7 @@ std::string Support::reason_below(int component, const StandingSurface& bottom, 
   }
   if (nearest >= 0) {
     return fmt::format("the nearest below is {}, {} lower", name_of(nearest),
-                       lower_text(least, plan_.support.gap));
+                       length_text(least, plan_.support.gap));
   }
   if (around >= 0) {
     return fmt::format("it reaches {} below {}", length_text(deepest), name_of(around));

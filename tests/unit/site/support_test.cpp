@@ -93,6 +93,26 @@ TEST_F(SupportTest, TheCentreOfMassIsOverWhatCarries) {
   EXPECT_EQ(why_not(outside), "its centre of mass is 400 mm outside of what carries it, beam");
 }
 
+// Rounding decided it: at 0, 5, 7, 20 and 30 m it stood, at the others not.
+TEST_F(SupportTest, TheMarginIsTheSameWhereverThePlanLies) {
+  ground();
+  for (const double x : {0.0, 1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 20.0, 30.0}) {
+    plan_.components.clear();
+    add("base", {{geometry::Box{{-0.5, -0.5, 0}, {0.5, 0.5, 1}}}}, translation(x, 0, 0));
+    const auto said = [&](double shift) {
+      plan_.components.resize(1);
+      return why_not(add("slab", {{geometry::Box{{-0.5, -0.5, 0}, {0.5, 0.5, 0.2}}}},
+                         translation(x + shift, 0, 1)));
+    };
+    const std::string edge = " of what carries it, base";
+    EXPECT_EQ(said(0.499), "") << x;
+    EXPECT_EQ(said(0.4991), "its centre of mass is only 0.9 mm inside" + edge) << x;
+    EXPECT_EQ(said(0.49902), "its centre of mass is only 0.98 mm inside" + edge) << x;
+    EXPECT_EQ(said(0.5), "its centre of mass is on the edge" + edge) << x;
+    EXPECT_EQ(said(0.501), "its centre of mass is 1.0 mm outside" + edge) << x;
+  }
+}
+
 TEST_F(SupportTest, ACantileverStandsAsFarAsItsMassIsOverItsWall) {
   ground();
   add_box("wall", {0, 0, 0}, {1, 1, 2});

@@ -21,6 +21,8 @@ constexpr double kWall = 0.05;
 /// Degrees: points are on one side of a line if an angle between two of them is larger than 180 and
 /// this. Reason: rounding. Consequence: what rests on its edge is no fault.
 constexpr double kAngleSlack = 1e-6;
+/// m: points nearer to a side of the polygon around them are on it.
+constexpr double kBeside = 1e-7;
 
 class Triangles {
  public:
@@ -128,6 +130,42 @@ void add_shape(const ShapeData& shape, const std::vector<MeshData>& meshes, Hull
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+/// The corners of the convex polygon around the points, counter-clockwise: a string that is wound
+/// round them (R. A. Jarvis, 1973), from the farthest from their middle, which is a corner. It goes
+/// straight to the end of a side: points that are beside it by rounding would lead it astray.
+std::vector<Vec2> wound_round(const std::vector<Vec2>& points) {
+  std::vector<Vec2> corners;
+  if (points.empty()) return corners;
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& each : points) middle += (each - points[0]) / static_cast<double>(points.size());
+  middle += points[0];
+  const auto is_nearer = [&](const Vec2& a, const Vec2& b) {
+    return (a - middle).squaredNorm() < (b - middle).squaredNorm();
+  };
+  const Vec2 start = *std::max_element(points.begin(), points.end(), is_nearer);
+  Vec2 corner = start;
+  do {
+    corners.push_back(corner);
+    Vec2 way = Vec2::Zero();
+    for (const Vec2& point : points) {
+      const Vec2 other = point - corner;
+      const double longer = std::max(way.norm(), other.norm());
+      const double beside = longer > 0 ? cross(way, other) / longer : 0;
+      const bool is_straight_on = std::abs(beside) < kBeside;
+      if (is_straight_on ? other.norm() > way.norm() : beside < 0) way = other;
+    }
+    corner += way;
+  } while ((corner - start).norm() > kBeside && corners.size() <= points.size());
+  return corners;
+}
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 way = b - a;
+  const double square = way.squaredNorm();
+  const double share = square > 0 ? std::clamp(way.dot(p - a) / square, 0.0, 1.0) : 0;
+  return (p - a - share * way).norm();
+}
+
 /// The part of a segment where a linear value is not negative, as shares from..to of it.
 void cut(double at_start, double at_end, double& from, double& to) {
   if (at_start < 0 && at_end < 0) {
@@ -176,7 +214,11 @@ void add_sides(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& other
 
 Hull hull_of(const std::vector<ShapeData>& shapes, const std::vector<MeshData>& meshes) {
   Hull hull;
-  for (const ShapeData& shape : shapes) add_shape(shape, meshes, hull);
+  for (const ShapeData& shape : shapes) {
+    add_shape(shape, meshes, hull);
+    hull.is_round = hull.is_round || shape.kind == ShapeData::Kind::cylinder ||
+                    shape.kind == ShapeData::Kind::sphere || shape.kind == ShapeData::Kind::capsule;
+  }
   if (hull.triangles.empty()) return hull;
   const bool open = std::any_of(hull.triangles.begin(), hull.triangles.end(),
                                 [](const Hull::Triangle& each) { return each.two_sided; });
@@ -255,7 +297,12 @@ std::vector<Vec2> footing(const Faces& over, const Faces& under, double gap, dou
   return points;
 }
 
-bool is_between(const Vec2& p, const std::vector<Vec2>& points) {
+bool is_between(const Vec2& p, const std::vector<Vec2>& points, double margin) {
+  const std::vector<Vec2> corners = wound_round(points);
+  for (std::size_t i = 0; margin > 0 && i < corners.size(); ++i) {
+    if (distance_to_segment(p, corners[i], corners[(i + 1) % corners.size()]) < margin)
+      return false;
+  }
   std::vector<double> angles;
   for (const Vec2& point : points) {
     const Vec2 way = point - p;

@@ -16,6 +16,7 @@ struct Hull {
   };
   std::vector<Triangle> triangles;
   Vec3 centre_of_mass = Vec3::Zero();
+  bool is_round = false;  ///< some triangles are inside of what they stand for
 };
 Hull hull_of(const std::vector<ShapeData>& shapes, const std::vector<MeshData>& meshes);
 
@@ -35,7 +36,9 @@ struct FootingPoint {
 std::vector<FootingPoint> footing_points(const Faces& over, const Faces& under, double gap,
                                          double depth);
 
-/// Whether no line through p has all points on one side of it.
-bool is_between(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& points);
+/// Whether no line through p has all points on one side of it, nor does one that is nearer than
+/// `margin` (m).
+bool is_between(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& points,
+                double margin);
 
 }  // namespace rubicon::verify

@@ -27,6 +27,9 @@ using Vec2 = Eigen::Vector2d;
 
 /// m: gaps that are larger by less are no fault.
 constexpr double kGapSlack = 2.5e-4;
+/// m: a centre of mass is so far inside of what carries it, and what less is no fault.
+constexpr double kMargin = 1e-3;
+constexpr double kMarginSlack = 2e-5;
 
 using math::at;
 
@@ -230,22 +233,30 @@ class SupportCheck {
     if (floats(each, time) || !checked_.emplace(index, time).second) return;
     const SceneComponent& component = scene_.components[at(each.component)];
     const std::vector<int> carriers = carriers_of(index, time);
-    const std::vector<Vec2> points = feet(index, carriers);
+    const Feet points = feet(index, carriers);
     if (is_carried(index, time, points, carriers)) return;
     faults_.push_back(
         {FaultKind::support, ResultFile::trace, 0, "", time,
          fmt::format("{} does not stand: {}", component.name,
-                     points.empty() ? fmt::format("nothing within {:.1f} mm below carries it",
-                                                  scene_.support->gap * 1000)
-                                    : "its centre of mass is outside of what carries it")});
+                     points.at.empty()
+                         ? fmt::format("nothing within {:.1f} mm below carries it",
+                                       scene_.support->gap * 1000)
+                         : fmt::format("its centre of mass is not {:.0f} mm inside of what "
+                                       "carries it",
+                                       kMargin * 1000))});
   }
 
-  /// Where it rests on these.
-  std::vector<Vec2> feet(int index, const std::vector<int>& carriers) {
+  struct Feet {
+    std::vector<Vec2> at;
+    double margin = kMargin - kMarginSlack;  ///< m: so far inside must a centre of mass be
+  };
+  /// Where it rests on these. What is round is larger than its triangles, by about the margin.
+  Feet feet(int index, const std::vector<int>& carriers) {
     const Standing& each = standing_[at(index)];
-    std::vector<Vec2> points;
+    Feet points;
+    if (each.hull->is_round) points.margin = 0;
     const auto add_to_points = [&](const std::vector<Vec2>& more) {
-      points.insert(points.end(), more.begin(), more.end());
+      points.at.insert(points.at.end(), more.begin(), more.end());
     };
     for (const int other : carriers) {
       const auto [known, is_new] = feet_.try_emplace({index, other});
@@ -256,6 +267,7 @@ class SupportCheck {
             footing(faces_looking(*each.hull, each.X_WS, false), under.top, gap_, depth_);
       }
       add_to_points(known->second);
+      if (standing_[at(other)].hull->is_round && !known->second.empty()) points.margin = 0;
     }
     if (scene_.site.empty()) {
       add_to_points(
@@ -264,14 +276,15 @@ class SupportCheck {
     return points;
   }
 
-  bool is_carried(int index, Ticks time, const std::vector<Vec2>& points,
-                  const std::vector<int>& carriers) {
+  bool is_carried(int index, Ticks time, const Feet& points, const std::vector<int>& carriers) {
     const Standing& each = standing_[at(index)];
     const SceneComponent& component = scene_.components[at(each.component)];
-    if (scene_.support->friction && component.mass > 0 && !points.empty()) return true;
-    if (is_between((each.X_WS * each.hull->centre_of_mass).head<2>(), points)) return true;
+    if (scene_.support->friction && component.mass > 0 && !points.at.empty()) return true;
+    if (is_between((each.X_WS * each.hull->centre_of_mass).head<2>(), points.at, points.margin)) {
+      return true;
+    }
     if (is_held(index, fixed_by(component, time), carriers)) return true;
-    return !points.empty() &&
+    return !points.at.empty() &&
            (component.has_brace_crew || is_held(index, component.braced_by, carriers));
   }
 
