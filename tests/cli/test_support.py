@@ -105,6 +105,8 @@ class Support(unittest.TestCase):
         items = [box("base", 10, height=1, more="mass 1 t;"), box("slab", 0, more="mass 1 t;")]
         for inside, fault in ((0.0015, ""), (0.0005, "slab does not stand: its centre of mass is not 1 mm inside of what carries it")):
             self.assertIn(fault or "no fault", self.verdict_if_strict(*items, move("set", "slab", 10.5 - inside, 1)))
+        for inside, fault in ((0.0015, ""), (0.0005, "their weights cannot be balanced")):
+            self.assertIn(fault or "no fault", self.verdict_if_strict(self.EQUILIBRIUM, *items, move("set", "slab", 10.5 - inside, 1)))
 
     def test_the_plan_says_how_strict_it_is(self):
         floating = box("b", 0) + move("set", "b", 10, 1)

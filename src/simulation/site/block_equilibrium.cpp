@@ -8,6 +8,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
+
+#include "src/simulation/site/resting.hpp"
 
 namespace rubicon::site {
 
@@ -15,8 +18,10 @@ namespace {
 
 using math::Vec3;
 
-/// m: so far inside of its patch a corner carries, as for single components.
+/// m: so far inside of the sides of its patch a corner carries, as for single components.
 constexpr double kInset = 1e-3;
+/// How often the way to the middle of a narrower patch is halved: to a millionth of a millimetre.
+constexpr int kHalvings = 20;
 /// What comes down with more than this share of the heaviest weight is no rounding. The programme
 /// keeps its rows to a hundredth of it.
 constexpr double kPower = 1e-7;
@@ -203,23 +208,39 @@ class Collapse {
     return longest.norm() > 0 ? Vec3(longest.normalized()) : normal.unitOrthogonal();
   }
 
+  /// Where a contact carries: inside of its sides. One that is narrower than twice that does so in
+  /// its middle.
+  static std::vector<Vec3> carrying_points(const BlockContact& contact, const Vec3& first,
+                                           const Vec3& second) {
+    const Vec3& origin = contact.corners.front();
+    std::vector<Eigen::Vector2d> outline;
+    for (const Vec3& corner : contact.corners) {
+      outline.emplace_back((corner - origin).dot(first), (corner - origin).dot(second));
+    }
+    outline = convex_hull(std::move(outline));
+    std::vector<Eigen::Vector2d> inner = inset(outline, kInset);
+    double by = 0;
+    double step = kInset / 2;
+    for (int i = 0; inner.empty() && i < kHalvings; ++i, step /= 2) {
+      if (!inset(outline, by + step).empty()) by += step;
+    }
+    if (inner.empty()) inner = by > 0 ? inset(outline, by) : outline;
+    std::vector<Vec3> points;
+    for (const Eigen::Vector2d& p : inner) {
+      points.emplace_back(origin + p.x() * first + p.y() * second);
+    }
+    return points;
+  }
+
   /// No motion against any of the eight edges of the pyramid of forces, which lie on the cone.
   void add_contact(const BlockContact& contact, double friction) {
-    Vec3 middle = Vec3::Zero();
-    for (const Vec3& corner : contact.corners) {
-      middle += corner / static_cast<double>(contact.corners.size());
-    }
     const Vec3 first = first_direction(contact);
     const Vec3 second = contact.normal.cross(first);
     const double half = std::sqrt(0.5);
     const std::array<Vec3, 8> edges = {
         first,  half * (first + second),  second,  half * (second - first),
         -first, -half * (first + second), -second, half * (first - second)};
-    for (const Vec3& corner : contact.corners) {
-      const Vec3 inwards = middle - corner;
-      const double way = inwards.norm();
-      const Vec3 point =
-          way > 0 ? Vec3(corner + inwards * (std::min(kInset, way / 2) / way)) : corner;
+    for (const Vec3& point : carrying_points(contact, first, second)) {
       for (const Vec3& along : edges) {
         const Vec3 force = contact.normal + friction * along;
         add_speed(contact.upper, point, force, 1);

@@ -14,7 +14,8 @@ struct RigidBlock {
   bool braced = false;                     ///< held from outside against turning and going sideways
 };
 
-/// Where a block rests on another, or on what cannot move: pressure and friction at the corners.
+/// Where a block rests on another, or on what cannot move: pressure and friction at the corners,
+/// 1 mm inside of the sides.
 struct BlockContact {
   int upper = 0;
   int lower = -1;                           ///< -1: what cannot move

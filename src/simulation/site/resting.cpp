@@ -14,6 +14,10 @@ using Points = std::vector<Point>;
 /// Steeper than this (the upward part of the normal; 84 degrees) nothing rests on it.
 constexpr double kSteep = 0.1;
 
+/// m: corners that are nearer to each other are one. Reason: the direction of so short a side is
+/// rounding.
+constexpr double kShortSide = 1e-5;
+
 /// m2: what is left of two facets that only have a line in common.
 constexpr double kNoArea = 1e-9;
 
@@ -252,6 +256,24 @@ double depth_in_polygon(const std::vector<Point>& polygon, const Point& p) {
     outside = std::min(outside, (p - a - along * side).norm());
   }
   return polygon.size() > 2 && inside >= 0 ? inside : -outside;
+}
+
+std::vector<Point> inset(const std::vector<Point>& polygon, double by) {
+  Points corners;
+  for (const Point& p : polygon) {
+    if (corners.empty() || (p - corners.back()).norm() > kShortSide) corners.push_back(p);
+  }
+  while (corners.size() > 1 && (corners.front() - corners.back()).norm() <= kShortSide) {
+    corners.pop_back();
+  }
+  if (corners.size() < 3) return {};
+  Points inner = corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point& a = corners[i];
+    const Point along = (corners[(i + 1) % corners.size()] - a).normalized();
+    inner = clipped(inner, [&](const Point& p) { return cross(along, p - a) - by; });
+  }
+  return inner;
 }
 
 }  // namespace rubicon::site

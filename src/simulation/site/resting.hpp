@@ -54,4 +54,8 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 /// m: how far p is inside of a convex polygon from its nearest side; negative: outside by so much.
 double depth_in_polygon(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& p);
 
+/// What of a convex polygon (counter-clockwise) is `by` (m) inside of each of its sides; empty:
+/// nothing.
+std::vector<Eigen::Vector2d> inset(const std::vector<Eigen::Vector2d>& polygon, double by);
+
 }  // namespace rubicon::site

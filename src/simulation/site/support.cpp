@@ -365,10 +365,12 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, const Carr
     return {true, {*held}, {}};
   }
   const Vec2 centre = (X_WO * surface->centre_of_mass).head<2>();
-  const double inside = depth_in_polygon(convex_hull(points), centre);
+  const std::vector<Vec2> outline = convex_hull(points);
+  const double inside = depth_in_polygon(outline, centre);
   // What has no weight turns nothing in the balance of forces: it is judged by its middle.
   const bool balances = plan_.support.equilibrium && spec.mass > 0;
-  answer.stands = balances ? !points.empty() : inside >= kMargin - kMarginRounding;
+  answer.stands = balances ? !inset(outline, kMargin - kMarginRounding).empty()
+                           : inside >= kMargin - kMarginRounding;
   if (answer.stands) return answer;
   if (!points.empty()) {
     if (const auto brace = holder(spec.braced_by, component, X_WO, carriers)) {
@@ -384,8 +386,11 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, const Carr
     constexpr std::size_t kMostNames = 3;
     const std::size_t more = names.size() > kMostNames ? names.size() - kMostNames : 0;
     names.resize(names.size() - more);
+    const std::string where =
+        balances ? fmt::format("it rests on less than {:.0f} mm", 2 * kMargin * 1000)
+                 : fmt::format("its centre of mass is {}", place_text(inside));
     answer.reason =
-        fmt::format("its centre of mass is {} of what carries it, {}{}", place_text(inside),
+        fmt::format("{} of {}{}{}", where, balances ? "" : "what carries it, ",
                     fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
   } else if (not_standing) {
     answer.reason = fmt::format("it rests on {}, which does not stand", name_of(*not_standing));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -48,6 +49,36 @@ TEST(BlockEquilibrium, ABoxStandsIfItsMiddleIsOverWhatCarriesIt) {
     tower.rest(box, -1, from, 1, 0);
     EXPECT_EQ(tower.moving().empty(), stands) << from;
   }
+}
+
+// Whatever its shape: the corners of a long contact were moved along the diagonal, which is hardly
+// anything across it.
+TEST(BlockEquilibrium, AContactCarriesOneMillimetreInside) {
+  for (const double width : {0.02, 0.2, 2.0}) {
+    for (const double inside : {0.0009, 0.0011}) {
+      Tower tower;
+      const int box = tower.add(0, 1, 0, 1);
+      tower.rest(box, -1, 0.5 + inside - width, 0.5 + inside, 0);
+      EXPECT_EQ(tower.moving().empty(), inside > 0.001) << width << " " << inside;
+      for (Vec3& corner : tower.contacts[0].corners) std::swap(corner.x(), corner.y());
+      for (RigidBlock& block : tower.blocks) std::swap(block.centre.x(), block.centre.y());
+      std::reverse(tower.contacts[0].corners.begin(), tower.contacts[0].corners.end());
+      EXPECT_EQ(tower.moving().empty(), inside > 0.001) << width << " " << inside;
+    }
+  }
+}
+
+// One that is narrower than 2 mm carries in its middle.
+TEST(BlockEquilibrium, ANarrowContactCarriesInItsMiddle) {
+  Tower rails;
+  const int box = rails.add(0, 1, 0, 1);
+  rails.rest(box, -1, 0.1, 0.1015, 0);
+  EXPECT_FALSE(rails.moving().empty());
+  rails.rest(box, -1, 0.7, 0.7015, 0);
+  EXPECT_TRUE(rails.moving().empty());
+  rails.contacts.pop_back();
+  rails.rest(box, -1, 0.4985, 0.5001, 0);  // 0.1 mm inside
+  EXPECT_FALSE(rails.moving().empty());
 }
 
 // The stack of equal planks that hang over by 1/2, 1/4, 1/6 ... of their length, from the top: a
@@ -201,8 +232,10 @@ TEST(BlockEquilibrium, AgreesWithTheSecondOpinion) {
     }
     std::vector<verify::BalancePoint> points;
     for (const BlockContact& contact : tower.contacts) {
-      for (const Vec3& corner : contact.corners) {
-        points.push_back({contact.upper, contact.lower, {corner, contact.normal}});
+      std::vector<verify::FootingPoint> corners;
+      for (const Vec3& corner : contact.corners) corners.push_back({corner, contact.normal});
+      for (const verify::FootingPoint& each : verify::drawn_in(corners, 0.00098)) {
+        points.push_back({contact.upper, contact.lower, each});
       }
     }
     const verify::Balance balance = verify::balance_of(bodies, points, {}, kFriction);

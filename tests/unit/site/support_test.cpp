@@ -340,5 +340,21 @@ TEST_F(SupportTest, MeshesRestAndCarryWithTheirTriangles) {
   }
 }
 
+// Nothing is 1 mm inside of a rail that is narrower than 2 mm: of two rails something is.
+TEST_F(SupportTest, InTheBalanceOfForcesSomethingMustBeTheMarginInside) {
+  ground();
+  plan_.support.equilibrium = true;
+  const ThingRef site{ThingRef::Kind::site, -1};
+  spec(add_box("rail", {0, 0, 0}, {0.0018, 4, 1})).fixed_to = {Fixing{site}};
+  const int plank = add_box("plank", {-0.5, 1, 1}, {0.5018, 2, 1.2});
+  spec(plank).mass = 100;
+  EXPECT_EQ(why_not(plank), "it rests on less than 2 mm of rail");
+  spec(plank).braced_by = {{ThingRef::Kind::crew, 0}};
+  EXPECT_EQ(why_not(plank), "");
+  spec(plank).braced_by.clear();
+  spec(add_box("other", {0.4, 0, 0}, {0.4018, 4, 1})).fixed_to = {Fixing{site}};
+  EXPECT_EQ(why_not(plank), "");
+}
+
 }  // namespace
 }  // namespace rubicon::site

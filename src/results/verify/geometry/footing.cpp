@@ -21,7 +21,11 @@ constexpr double kWall = 0.05;
 /// Degrees: points are on one side of a line if an angle between two of them is larger than 180 and
 /// this. Reason: rounding. Consequence: what rests on its edge is no fault.
 constexpr double kAngleSlack = 1e-6;
-/// m: points nearer to a side of the polygon around them are on it.
+/// m: corners nearer to each other are one, and points nearer to a plane, or a side, are on it. The
+/// second also bounds how normals differ, the last is for corners of the polygon around them.
+constexpr double kSameCorner = 1e-5;
+constexpr double kSamePlane = 1e-5;
+constexpr double kOnSide = 1e-9;
 constexpr double kBeside = 1e-7;
 
 class Triangles {
@@ -157,6 +161,41 @@ std::vector<Vec2> wound_round(const std::vector<Vec2>& points) {
     corner += way;
   } while ((corner - start).norm() > kBeside && corners.size() <= points.size());
   return corners;
+}
+
+/// Where the sides of the polygon around the points, moved inwards, cross each other inside of all
+/// of them.
+std::vector<Vec2> corners_inside(const std::vector<Vec2>& points, double margin) {
+  struct Line {
+    Vec2 inwards;
+    double from;  ///< along it
+  };
+  std::vector<Vec2> corners;
+  for (const Vec2& each : wound_round(points)) {
+    const auto is_same = [&](const Vec2& other) { return (each - other).norm() < kSameCorner; };
+    if (std::none_of(corners.begin(), corners.end(), is_same)) corners.push_back(each);
+  }
+  std::vector<Line> lines;
+  for (std::size_t i = 0; corners.size() > 2 && i < corners.size(); ++i) {
+    const Vec2 way = (corners[(i + 1) % corners.size()] - corners[i]).normalized();
+    const Vec2 inwards(-way.y(), way.x());
+    lines.push_back({inwards, inwards.dot(corners[i] - corners[0]) + margin});
+  }
+  std::vector<Vec2> found;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = i + 1; k < lines.size(); ++k) {
+      const double turn = cross(lines[i].inwards, lines[k].inwards);
+      if (std::abs(turn) < kOnSide) continue;
+      const Vec2 p = (lines[i].from * Vec2(lines[k].inwards.y(), -lines[k].inwards.x()) -
+                      lines[k].from * Vec2(lines[i].inwards.y(), -lines[i].inwards.x())) /
+                     turn;
+      const auto is_inside = [&](const Line& line) {
+        return line.inwards.dot(p) > line.from - kOnSide;
+      };
+      if (std::all_of(lines.begin(), lines.end(), is_inside)) found.push_back(corners[0] + p);
+    }
+  }
+  return found;
 }
 
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -295,6 +334,41 @@ std::vector<Vec2> footing(const Faces& over, const Faces& under, double gap, dou
     points.push_back(each.point.head<2>());
   }
   return points;
+}
+
+std::vector<FootingPoint> drawn_in(const std::vector<FootingPoint>& points, double margin) {
+  struct Plane {
+    FootingPoint first;
+    std::vector<Vec2> points;
+  };
+  std::vector<Plane> planes;
+  for (const FootingPoint& each : points) {
+    const auto is_in = [&](const Plane& plane) {
+      return (plane.first.normal - each.normal).norm() < kSamePlane &&
+             std::abs(plane.first.normal.dot(each.point - plane.first.point)) < kSamePlane;
+    };
+    auto plane = std::find_if(planes.begin(), planes.end(), is_in);
+    if (plane == planes.end()) plane = planes.insert(plane, {each, {}});
+    plane->points.push_back(each.point.head<2>());
+  }
+  std::vector<FootingPoint> left;
+  for (const auto& [first, all] : planes) {
+    const Vec3& n = first.normal;
+    // Seen from above what is across a slope is shorter.
+    double by = margin * n.z();
+    std::vector<Vec2> inside = corners_inside(all, by);
+    for (int i = 0; inside.empty() && i < 10; ++i) inside = corners_inside(all, by /= 2);
+    for (const Vec2& p : inside.empty() ? all : inside) {
+      const Vec2 way = p - first.point.head<2>();
+      const double z = first.point.z() - (n.x() * way.x() + n.y() * way.y()) / n.z();
+      left.push_back({{p.x(), p.y(), z}, n});
+    }
+  }
+  return left;
+}
+
+bool is_as_wide(const std::vector<Vec2>& points, double margin) {
+  return !points.empty() && (margin <= 0 || !corners_inside(points, margin).empty());
 }
 
 bool is_between(const Vec2& p, const std::vector<Vec2>& points, double margin) {

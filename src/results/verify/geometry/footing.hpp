@@ -36,6 +36,13 @@ struct FootingPoint {
 std::vector<FootingPoint> footing_points(const Faces& over, const Faces& under, double gap,
                                          double depth);
 
+/// What is left of where a body rests if in each plane only what is `margin` (m) inside carries:
+/// the corners. Where that is narrower than twice the margin it is less of it.
+std::vector<FootingPoint> drawn_in(const std::vector<FootingPoint>& points, double margin);
+
+/// Whether some point is `margin` (m) inside of what is around the points.
+bool is_as_wide(const std::vector<Eigen::Vector2d>& points, double margin);
+
 /// Whether no line through p has all points on one side of it, nor does one that is nearer than
 /// `margin` (m).
 bool is_between(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& points,

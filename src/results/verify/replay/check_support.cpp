@@ -279,8 +279,10 @@ class SupportCheck {
   bool is_carried(int index, Ticks time, const Feet& points, const std::vector<int>& carriers) {
     const Standing& each = standing_[at(index)];
     const SceneComponent& component = scene_.components[at(each.component)];
-    if (scene_.support->friction && component.mass > 0 && !points.at.empty()) return true;
-    if (is_between((each.X_WS * each.hull->centre_of_mass).head<2>(), points.at, points.margin)) {
+    const Vec2 centre = (each.X_WS * each.hull->centre_of_mass).head<2>();
+    const bool balances = scene_.support->friction && component.mass > 0;
+    if (balances ? is_as_wide(points.at, points.margin)
+                 : is_between(centre, points.at, points.margin)) {
       return true;
     }
     if (is_held(index, fixed_by(component, time), carriers)) return true;
@@ -398,16 +400,17 @@ class SupportCheck {
     return is_held(index, {kSite}, near(index));
   }
 
-  /// Points at which one that stands rests on another, once each. Neither moves while it stands.
+  /// Points at which one that stands rests on another, once each, the margin inside. Neither moves
+  /// while it stands.
   const std::vector<FootingPoint>& bearing(int over, int under) {
     const auto [known, is_new] = bearings_.try_emplace({over, under});
     if (!is_new) return known->second;
     Standing& lower = standing_[at(under)];
     if (lower.top.empty()) lower.top = faces_looking(*lower.hull, lower.X_WS, true);
-    known->second = distinct(lower.top, over);
+    known->second = distinct(lower.top, over, lower.hull->is_round);
     return known->second;
   }
-  std::vector<FootingPoint> distinct(const Faces& top, int over) const {
+  std::vector<FootingPoint> distinct(const Faces& top, int over, bool is_round) const {
     const Standing& upper = standing_[at(over)];
     std::vector<FootingPoint> points;
     std::set<std::array<std::int64_t, 6>> seen;
@@ -421,7 +424,7 @@ class SupportCheck {
       }
       if (seen.insert(key).second) points.push_back(each);
     }
-    return points;
+    return is_round || upper.hull->is_round ? points : drawn_in(points, kMargin - kMarginSlack);
   }
 
   void check_balance(const std::vector<int>& first, Ticks time) {
@@ -493,7 +496,8 @@ class SupportCheck {
     }
     if (scene_.site.empty()) {
       for (const int index : members) {
-        for (const FootingPoint& each : distinct(ground(standing_[at(index)].bounds), index)) {
+        for (const FootingPoint& each :
+             distinct(ground(standing_[at(index)].bounds), index, false)) {
           points.push_back({body_of[index], -1, each});
         }
       }
