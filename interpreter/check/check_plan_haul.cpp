@@ -198,14 +198,6 @@ double off_truck(const RobotSpec& truck, const MotionDigSpec& dig) {
   return box.exteriorDistance(Eigen::Vector2d(p_TD.head<2>()));
 }
 
-/// People of a crew that a task has from its start to its finish.
-int people_of(const Subject& subject, const TaskSpec& task, int crew) {
-  for (const NeedSpec& need : task.needs) {
-    if (need.crew == crew) return need.people;
-  }
-  return static_cast<int>(subject.model.crews[at(crew)].size);
-}
-
 /// A truck is loaded while the dig goes on, so nobody can be in both.
 void check_shared_crews(Subject& subject, const TaskSpec& haul, const TaskSpec& dig) {
   for (const int crew : haul.crews) {

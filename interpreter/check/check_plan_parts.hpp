@@ -204,6 +204,9 @@ struct CoverWay {
 };
 std::optional<CoverWay> resolve_cover(Subject& subject, const syntax::CoverItem& item);
 
+/// People of a crew that a task needs: all, where it does not say how many.
+int people_of(const Subject& subject, const TaskSpec& task, int crew);
+
 /// How a task digs whose crews of `by` are `diggers`, each with how many of it there are; nothing
 /// after P01, P02, P05, P09, P52, P55. Before that `crews_of_dig` gives the crews that it names.
 std::vector<int> crews_of_dig(Subject& subject, const syntax::DigItem& item);

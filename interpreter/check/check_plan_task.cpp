@@ -385,12 +385,7 @@ class TaskChecker {
     }
   }
 
-  int units_of(int crew) const {
-    for (const NeedSpec& need : task_.needs) {
-      if (need.crew == crew) return need.people;
-    }
-    return static_cast<int>(subject_.model.crews[static_cast<std::size_t>(crew)].size);
-  }
+  int units_of(int crew) const { return people_of(subject_, task_, crew); }
 
   /// Its rounds are one work of all whom it holds.
   void check_dig(const std::vector<int>& diggers) {
@@ -726,6 +721,13 @@ class TaskChecker {
 };
 
 }  // namespace
+
+int people_of(const Subject& subject, const TaskSpec& task, int crew) {
+  for (const NeedSpec& need : task.needs) {
+    if (need.crew == crew) return need.people;
+  }
+  return static_cast<int>(subject.model.crews[static_cast<std::size_t>(crew)].size);
+}
 
 void check_task(Subject& subject, const Scope& scope, const syntax::TaskItem& item,
                 TaskSpec& task) {
